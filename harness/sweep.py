@@ -146,6 +146,7 @@ class Sweep:
             # Kept for whoever looks into it, but not under the shard's name.
             if file.exists():
                 file.replace(set_aside)
+            remove_temporaries(self.out, shard.name)
             why = f"exit {code}" if code >= 0 else f"killed by signal {-code}"
             self.failed.append(shard.name)
             self.say(f"FAILED {shard.name}: {why if code else 'wrote no file'}")
@@ -228,9 +229,10 @@ def sweep(options: argparse.Namespace, out: Path) -> int:
         if work.before:
             work.say(f"{work.before} of {work.total} shards are there already")
         try:
-            with work.bar:
-                work.run("speed", 1, locks)
-                work.run("accuracy", jobs, locks)
+            if work.console.is_terminal:
+                stack.enter_context(work.bar)
+            work.run("speed", 1, locks)
+            work.run("accuracy", jobs, locks)
         except BaseException:
             for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
                 signal.signal(number, signal.SIG_IGN)
