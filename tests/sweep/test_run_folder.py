@@ -83,8 +83,8 @@ def test_index_counts_as_shards_are_listed(fake: FakeSweep) -> None:
         assert fake.run("--index", str(index))[0] == 0
         assert fake.started()[-1] == name
     assert fake.results() == sorted(f"{name}.json" for name, _ in SHARDS)
-    for index in ("-1", "5"):
-        code, _, errors = fake.run("--index", index)
+    for wrong in ("-1", "5"):
+        code, _, errors = fake.run("--index", wrong)
         assert (code, "there are 5 shards" in errors) == (2, True)
 
 
