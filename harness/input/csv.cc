@@ -130,11 +130,11 @@ std::string_view WhatToWrite() {
   if constexpr (std::integral<T>) {
     return "write an integer from -2147483648 to 2147483647";
   } else if constexpr (std::same_as<T, float>) {
-    return "write a decimal (0.5) or hexadecimal (0x1p-1) float of at most "
-           "3.4e38, nan or inf";
+    return "write a decimal (0.5) or hexadecimal (0x1p-1) number in the range "
+           "of f32, nan or inf";
   } else {
-    return "write a decimal (0.5) or hexadecimal (0x1p-1) float of at most "
-           "1.7e308, nan or inf";
+    return "write a decimal (0.5) or hexadecimal (0x1p-1) number in the range "
+           "of f64, nan or inf";
   }
 }
 

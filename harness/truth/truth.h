@@ -1,9 +1,10 @@
 // The exact answer for a point and a triangle, whatever their coordinates.
 //
 // Everything pitbench says about accuracy is judged against this, so it uses
-// rational arithmetic (GMP) on the binary values that it is given. A filter in
-// double precision stands before it; tests/truth_test.cc shows that the two
-// agree on millions of hard inputs.
+// exact arithmetic (GMP) on the binary values that it is given. A filter in
+// double precision stands before it, proven in orientation.cc;
+// tests/truth_filter_test.cc shows that the two agree on millions of hard
+// inputs.
 #ifndef PITBENCH_HARNESS_TRUTH_TRUTH_H_
 #define PITBENCH_HARNESS_TRUTH_TRUTH_H_
 
@@ -35,7 +36,7 @@ struct Triangle {
 template <class T>
 Position Classify(const Triangle<T>& triangle, const Point<T>& p);
 
-// The same by rational arithmetic alone, without the filter.
+// The same by GMP alone, without the filter.
 template <class T>
 Position ClassifyExactly(const Triangle<T>& triangle, const Point<T>& p);
 

@@ -42,10 +42,10 @@ double BoundaryDistanceInUlps(const Triangle<T>& triangle, const Point<T>& p);
 // among the coordinates of triangle and point, and h the triangle's smallest
 // altitude (twice its area over its longest edge). The comparison is exact.
 //
-// Why (M/h)²: an edge function summed from terms of size M² errs by a few
-// u·M², and a weight is an edge function over twice the area; that area is at
-// least h², and h is what a method that squares the edges (Gram) loses twice.
-// It says nothing of overflow and underflow.
+// Why (M/h)²: an edge function is summed from terms of size M² and errs by a
+// few u·M²; a weight is an edge function over twice the area, which is at
+// least h². A method that squares the edges (Gram) loses (L/h)² instead, for
+// a longest edge L ≤ 2√2·M. It says nothing of overflow and underflow.
 //
 // A triangle of area 0 has no weights, and rounding may always decide there.
 // std::int32_t does not round (u = 0): always false.
