@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "harness/truth/orientation.h"
@@ -164,9 +167,10 @@ std::string_view BruteForce(const std::array<int, 8>& v) {
 template <class T>
 void ExpectAgreementWithBruteForce(T x_unit, T y_unit, T x_origin = 0,
                                    T y_origin = 0) {
+  using Wide = std::conditional_t<std::integral<T>, std::int64_t, T>;
   const auto point = [=](int x, int y) -> Point<T> {
-    return {static_cast<T>(static_cast<T>(x) * x_unit + x_origin),
-            static_cast<T>(static_cast<T>(y) * y_unit + y_origin)};
+    return {static_cast<T>(static_cast<Wide>(x) * x_unit + x_origin),
+            static_cast<T>(static_cast<Wide>(y) * y_unit + y_origin)};
   };
   for (int triangle = 0; triangle < 9 * 9 * 9; ++triangle) {
     std::array<int, 8> v{};

@@ -31,9 +31,12 @@ namespace {
 //   |l − r| ≥ |det|/(1+u) > (4u S(1−u) − η + 2^-1022)(1−u)/(1+u)
 //           > 4u(1 − 4u) S + 2^-1023 > (3u + 7u²) S + 4η.
 // Overflow: an infinite difference, product or S makes the bound infinite or
-// the comparison one with NaN, and either is false. (Shewchuk 1997 has 3u +
-// 16u² and Ozaki et al. 2016 a tighter one still; the part of all points that
-// they decide and 4u leaves is too small to matter here.)
+// the comparison one with NaN, and either is false.
+//
+// The worst known wrong sign has |det| = 2.9999999u S, and without 2^-1022
+// there are wrong signs at any S that small: truth_worst_inputs_test.cc.
+// (Shewchuk 1997 has 3u + 16u² and Ozaki et al. 2016 a tighter one still; the
+// part of all points that they decide and 4u leaves is too small to matter.)
 //
 // Needs -ffp-contract=off and gradual underflow (no flush to zero).
 std::optional<int> FilteredSign(double ax, double ay, double bx, double by,
