@@ -49,7 +49,8 @@ python_format() {
 
 python_types() {
   "$python" -m mypy --strict analysis harness/sweep.py &&
-    "$python" -m mypy --strict --explicit-package-bases tests/sweep
+    "$python" -m mypy --strict --explicit-package-bases tests/sweep \
+      tests/reproduce
 }
 
 shell_scripts() {
