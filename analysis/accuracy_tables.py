@@ -1,0 +1,155 @@
+"""Tables of accuracy, and those that set it beside speed."""
+
+from __future__ import annotations
+
+import math
+
+import pandas as pd
+
+from analysis.palette import loop_rank
+from analysis.stats import pareto_frontier, wilson
+from analysis.tables import CELL_KEYS, parameter, reference_cells, sort_cells
+
+COUNTS = ["interior", "exterior", "boundary", "degenerate"]
+WRONG = ["false_outside", "false_inside", "boundary_accepted"]
+
+
+def error_rates(accuracy: pd.DataFrame, by: list[str]) -> pd.DataFrame:
+    """Wrong answers and their share, the cells of a group pooled.
+
+    Interior, exterior and degenerate points must be answered right; points on
+    the boundary are counted apart, because the rule for them is the method's
+    own choice. So `of` = interior + exterior + degenerate.
+    """
+    rows = []
+    for key, group in accuracy.groupby(by, sort=True):
+        total = {c: int(group[c].sum()) for c in ["points", *COUNTS, *WRONG]}
+        of = total["interior"] + total["exterior"] + total["degenerate"]
+        wrong = total["false_outside"] + total["false_inside"]
+        share = wilson(wrong, of)
+        rows.append(
+            {
+                **dict(zip(by, key if isinstance(key, tuple) else (key,))),
+                "error_rate": share.value,
+                "error_rate_low": share.low,
+                "error_rate_high": share.high,
+                "wrong": wrong,
+                "of": of,
+                **{column: total[column] for column in (*WRONG, *COUNTS)},
+                "smallest_ulps": group["smallest_ulps"].astype(float).min(),
+                "largest_ulps": group["largest_ulps"].astype(float).max(),
+                "accepts": group["accepts"].iloc[0],
+                "boundary_rule": group["boundary_rule"].iloc[0],
+                "scenes": group["scene"].nunique(),
+            }
+        )
+    columns = list(rows[0]) if rows else [*by, "error_rate", "wrong", "of"]
+    return pd.DataFrame(rows, columns=columns)
+
+
+def accuracy_loop(accuracy: pd.DataFrame) -> str | None:
+    """The loop whose answers stand for the method: the one with most cells,
+    one_triangle first among equals.
+    """
+    counts: dict[str, int] = accuracy["loop"].value_counts().to_dict()
+    if not counts:
+        return None
+    return min(counts, key=lambda loop: (-counts[loop], loop_rank(loop)))
+
+
+def accuracy_cells(accuracy: pd.DataFrame) -> pd.DataFrame:
+    """One row a cell, with its error rate."""
+    return sort_cells(error_rates(accuracy, ["family", *CELL_KEYS]))
+
+
+def errors_along(
+    accuracy: pd.DataFrame, family: str, key: str, scalar: str, isa: str
+) -> pd.DataFrame:
+    """The error rate of each method against the parameter `key` of a family
+    of scenes (column `at`), for one scalar and ISA.
+    """
+    chosen = accuracy[
+        (accuracy["family"] == family)
+        & (accuracy["scalar"] == scalar)
+        & (accuracy["isa"] == isa)
+        & (accuracy["loop"] == accuracy_loop(accuracy))
+    ]
+    chosen = chosen.assign(at=parameter(chosen, key)).dropna(subset=["at"])
+    return sort_cells(error_rates(chosen, ["method", "at"]), ["method", "at"])
+
+
+def speed_against_error(
+    cells: pd.DataFrame,
+    accuracy: pd.DataFrame,
+    scalar: str,
+    loop: str = "one_triangle",
+    family: str = "near_edge",
+) -> pd.DataFrame:
+    """One row a method × ISA: its speed on the loop's reference scene beside
+    its error rate on all scenes of the hard family together, and whether it
+    is on the frontier (no other row is faster without erring more).
+
+    A timed row whose answers were not judged has NaN and is never on it.
+    """
+    timed = reference_cells(cells, scalar, loop)
+    hard = accuracy[
+        (accuracy["family"] == family)
+        & (accuracy["scalar"] == scalar)
+        & (accuracy["loop"] == accuracy_loop(accuracy[accuracy["family"] == family]))
+    ]
+    rates = error_rates(hard, ["method", "isa"])
+    joined = timed.merge(rates, on=["method", "isa"], how="left")
+    frontier = pareto_frontier(
+        list(joined["items_per_second"]), list(joined["error_rate"])
+    )
+    return sort_cells(joined.assign(on_frontier=frontier), ["method", "isa"])
+
+
+def isa_agreement(accuracy: pd.DataFrame) -> pd.DataFrame:
+    """One row a loop × scene × method × scalar that more than one ISA answered:
+    whether they all gave the same counts.
+    """
+    rows = []
+    keys = ["loop", "scene", "method", "scalar"]
+    for key, group in accuracy.groupby(keys, sort=True):
+        if len(group) > 1:
+            counts = group[[*WRONG, *COUNTS]].drop_duplicates()
+            rows.append({**dict(zip(keys, key)), "agree": len(counts) == 1})
+    return pd.DataFrame(rows, columns=[*keys, "agree"])
+
+
+def weights_accuracy(accuracy: pd.DataFrame) -> pd.DataFrame:
+    """The error of the weights, for each method, scalar and family of scenes:
+    the largest over all cells, and the mean over all their points.
+    """
+    judged = accuracy.dropna(subset=["weights_points"])
+    judged = judged[judged["weights_points"].astype(float) > 0]
+    rows = []
+    for key, group in judged.groupby(["family", "method", "scalar"], sort=True):
+        points = group["weights_points"].astype(float)
+        mean = (group["weights_mean_ulps"].astype(float) * points).sum() / points.sum()
+        rows.append(
+            {
+                **dict(zip(["family", "method", "scalar"], key)),
+                "largest_ulps": float(
+                    group["weights_largest_ulps"].astype(float).max()
+                ),
+                "mean_ulps": mean,
+                "not_finite": int(group["weights_not_finite"].astype(float).sum()),
+                "points": int(points.sum()),
+            }
+        )
+    columns = ["family", "method", "scalar", "largest_ulps", "mean_ulps"]
+    columns += ["not_finite", "points"]
+    return sort_cells(
+        pd.DataFrame(rows, columns=columns), ["family", "scalar", "method"]
+    )
+
+
+def hardest(
+    accuracy: pd.DataFrame, family: str, key: str, scalar: str, isa: str
+) -> dict[str, float]:
+    """Method → its largest error rate along the parameter of a family."""
+    along = errors_along(accuracy, family, key, scalar, isa)
+    worst = along.groupby("method")["error_rate"].max().to_dict() if len(along) else {}
+    return {k: float(v) for k, v in worst.items() if not math.isnan(v)}

@@ -1,0 +1,397 @@
+"""The charts of speed. Each takes a finished table and draws it, no more.
+
+Titles carry the message of the chart and are computed from the same table.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import matplotlib.pyplot as plt
+import pandas as pd
+from matplotlib.lines import Line2D
+
+from analysis import palette
+from analysis.chart_frame import (
+    Chart,
+    Label,
+    RateAxis,
+    finish,
+    label_column,
+    per_second,
+    style,
+    ticks_at,
+)
+from analysis.wording import listed, share, significant, times
+
+
+def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
+    """Speed against error: one mark a method × ISA, the frontier drawn.
+
+    `table`: tables.speed_against_error, without rows whose error is unknown.
+    """
+    with style():
+        figure, axes = plt.subplots(figsize=(10, 6.2))
+        figure.subplots_adjust(left=0.1, right=0.735, top=0.885, bottom=0.2)
+        rates = RateAxis(list(table["error_rate"]), list(table["error_rate_high"]))
+        axes.set_xscale("log")
+        labels = []
+        for method in sorted(table["method"].unique(), key=palette.method_rank):
+            rows = table[table["method"] == method].sort_values("items_per_second")
+            look = palette.method_style(method)
+            heights = [rates.at(rate) for rate in rows["error_rate"]]
+            axes.plot(
+                rows["items_per_second"],
+                heights,
+                color=look.colour,
+                linestyle=look.dash,
+                linewidth=0.8,
+                alpha=0.25,
+                zorder=2,
+            )
+            for row in rows.itertuples():
+                _hero_mark(axes, row, rates, look)
+            best = rows.iloc[-1]
+            labels.append(
+                Label(
+                    best["items_per_second"],
+                    rates.at(best["error_rate"]),
+                    method,
+                    look.colour,
+                    bold=bool(rows["on_frontier"].any()),
+                    dash=look.dash,
+                )
+            )
+        _frontier_line(axes, table, rates)
+        rates.apply(
+            axes, "wrong answers near an edge, share (log scale)      ←  better"
+        )
+        axes.set_xlabel(
+            f"points decided per second, {scalar} (log scale)      better  →"
+        )
+        per_second(axes.xaxis)
+        axes.xaxis.set_minor_formatter("")
+        axes.margins(x=0.03)
+        label_column(axes, labels)
+        _isa_legend(figure, table)
+        front = table[table["on_frontier"]].sort_values("items_per_second")
+        names = list(dict.fromkeys(reversed(list(front["method"]))))
+        title = f"Speed against error, {scalar}: " + (
+            f"{listed(names)} "
+            + ("stand" if len(names) > 1 else "stands")
+            + " on the frontier"
+        )
+        alt = f"{title}. " + " ".join(
+            f"{row.method} on {row.isa}: {significant(row.items_per_second / 1e9)} "
+            f"billion points per second, error rate {share(row.error_rate)}."
+            for row in front.itertuples()
+        )
+        return finish(figure, f"hero-{scalar}", title, alt, footer)
+
+
+def _hero_mark(axes: Any, row: Any, rates: RateAxis, look: palette.MethodStyle) -> None:
+    marker = palette.isa_marker(row.isa)
+    strong = bool(row.on_frontier)
+    below, above = rates.whiskers(
+        row.error_rate, row.error_rate_low, row.error_rate_high
+    )
+    axes.errorbar(
+        [row.items_per_second],
+        [rates.at(row.error_rate)],
+        xerr=[
+            [row.items_per_second - row.items_per_second_low],
+            [row.items_per_second_high - row.items_per_second],
+        ],
+        yerr=[[below], [above]],
+        fmt=marker,
+        markersize=(12 if marker == "*" else 8)
+        if strong
+        else 9
+        if marker == "*"
+        else 5.5,
+        color=look.colour,
+        markerfacecolor="white" if look.variant else look.colour,
+        markeredgecolor=palette.INK if strong else look.colour,
+        markeredgewidth=1.2 if strong else 0.9,
+        elinewidth=0.9,
+        alpha=1.0 if strong else 0.4,
+        zorder=5 if strong else 3,
+    )
+
+
+def _frontier_line(axes: Any, table: pd.DataFrame, rates: RateAxis) -> None:
+    front = table[table["on_frontier"]].sort_values("items_per_second")
+    if len(front):
+        axes.step(
+            front["items_per_second"],
+            [rates.at(rate) for rate in front["error_rate"]],
+            where="pre",
+            color=palette.INK,
+            linewidth=1.4,
+            zorder=4,
+        )
+
+
+def _isa_legend(figure: Any, table: pd.DataFrame) -> None:
+    isas = sorted(table["isa"].unique(), key=palette.isa_rank)
+    handles = [
+        Line2D(
+            [],
+            [],
+            linestyle="",
+            marker=palette.isa_marker(isa),
+            markersize=9 if palette.isa_marker(isa) == "*" else 6,
+            color="#666666",
+            label=isa,
+        )
+        for isa in isas
+    ]
+    handles.append(Line2D([], [], color=palette.INK, linewidth=1.4, label="frontier"))
+    height = figure.get_size_inches()[1]
+    figure.legend(
+        handles=handles,
+        loc="lower left",
+        bbox_to_anchor=(0.075, 0.26 / height),
+        ncol=len(handles),
+        fontsize=8.5,
+        handletextpad=0.3,
+        columnspacing=1.2,
+    )
+
+
+def scaling(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
+    """How many times as fast as its scalar row each ISA is, a panel a method.
+
+    `table`: tables.reference_cells.
+    """
+    methods = sorted(table["method"].unique(), key=palette.method_rank)
+    isas = sorted(table["isa"].unique(), key=palette.isa_rank)
+    columns = min(4, len(methods))
+    lines = math.ceil(len(methods) / columns)
+    top = float(table["times_scalar_high"].max())
+    with style():
+        height = 0.95 + lines * (0.62 + 0.19 * len(isas)) + 0.35
+        figure, grid = plt.subplots(
+            lines,
+            columns,
+            figsize=(10, height),
+            sharex=True,
+            sharey=True,
+            squeeze=False,
+        )
+        figure.subplots_adjust(
+            left=0.1,
+            right=0.985,
+            top=1 - 0.9 / height,
+            bottom=0.75 / height,
+            hspace=0.3,
+            wspace=0.08,
+        )
+        places = {isa: -i for i, isa in enumerate(isas)}
+        for index, axes in enumerate(grid.ravel()):
+            if index >= len(methods):
+                axes.set_visible(False)
+                continue
+            rows = table[table["method"] == methods[index]].dropna(
+                subset=["times_scalar"]
+            )
+            look = palette.method_style(methods[index])
+            _scaling_panel(axes, rows, places, look, top)
+            axes.set_title(
+                methods[index],
+                fontsize=8.5,
+                color=look.colour,
+                loc="left",
+                weight="bold",
+                pad=3,
+            )
+            if index + columns >= len(methods):
+                axes.tick_params(labelbottom=True)
+                axes.set_xlabel("× scalar   better →", fontsize=8.5)
+        grid[0][0].set_yticks([places[isa] for isa in isas], isas)
+        grid[0][0].set_xlim(0, top * 1.22)
+        widest = table[~table["isa"].map(palette.is_autovec)]
+        widest = widest.sort_values("times_scalar").groupby("method").tail(1)
+        title = (
+            f"By instruction set, {scalar}: the best rows are "
+            f"{significant(widest['times_scalar'].min())} to "
+            f"{significant(widest['times_scalar'].max())} times as fast as scalar code"
+        )
+        alt = f"{title}. " + " ".join(
+            f"{row.method}: {times(row.times_scalar)} on {row.isa}."
+            for row in widest.sort_values("times_scalar", ascending=False).itertuples()
+        )
+        return finish(figure, f"scaling-{scalar}", title, alt, footer)
+
+
+def _scaling_panel(
+    axes: Any,
+    rows: pd.DataFrame,
+    places: dict[str, int],
+    look: palette.MethodStyle,
+    top: float,
+) -> None:
+    axes.barh(
+        [places[isa] for isa in rows["isa"]],
+        rows["times_scalar"],
+        height=0.68,
+        color=[
+            "white" if palette.is_autovec(isa) else look.colour for isa in rows["isa"]
+        ],
+        edgecolor=look.colour,
+        linewidth=0.8,
+        xerr=[
+            rows["times_scalar"] - rows["times_scalar_low"],
+            rows["times_scalar_high"] - rows["times_scalar"],
+        ],
+        error_kw={"elinewidth": 0.9, "ecolor": palette.INK, "capsize": 1.5},
+    )
+    for row in rows.itertuples():
+        axes.text(
+            row.times_scalar_high + 0.02 * top,
+            places[row.isa],
+            significant(row.times_scalar),
+            va="center",
+            fontsize=7.5,
+        )
+    axes.grid(axis="y", visible=False)
+    axes.tick_params(axis="y", length=0)
+
+
+def fixed_against_fresh(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
+    """How many times as long a cell takes on rotating sets as on one set.
+
+    `table`: tables.fixed_against_fresh of one loop and scalar.
+    """
+    methods = sorted(table["method"].unique(), key=palette.method_rank)
+    with style():
+        height = 1.95 + 0.3 * len(methods)
+        figure, axes = plt.subplots(figsize=(10, height))
+        figure.subplots_adjust(
+            left=0.26, right=0.97, top=1 - 0.75 / height, bottom=1.05 / height
+        )
+        isas = sorted(table["isa"].unique(), key=palette.isa_rank)
+        for row in table.itertuples():
+            look = palette.method_style(row.method)
+            shift = (isas.index(row.isa) - (len(isas) - 1) / 2) * 0.75 / len(isas)
+            marker = palette.isa_marker(row.isa)
+            axes.errorbar(
+                [row.fresh_over_fixed],
+                [-methods.index(row.method) - shift],
+                xerr=[
+                    [row.fresh_over_fixed - row.fresh_over_fixed_low],
+                    [row.fresh_over_fixed_high - row.fresh_over_fixed],
+                ],
+                fmt=marker,
+                markersize=8 if marker == "*" else 5,
+                color=look.colour,
+                markerfacecolor="white" if look.variant else look.colour,
+                elinewidth=1,
+            )
+        axes.axvline(1, color=palette.INK, linewidth=1)
+        axes.set_yticks([-i for i in range(len(methods))], methods)
+        axes.set_ylim(-len(methods) + 0.4, 0.6)
+        low = min(0.9, float(table["fresh_over_fixed_low"].min()))
+        high = max(1.1, float(table["fresh_over_fixed_high"].max()))
+        if high > 3:
+            axes.set_xscale("log")
+            ticks = [
+                t for t in (0.5, 1, 2, 3, 5, 10, 20, 50, 100) if low < t < high * 1.2
+            ]
+            ticks_at(axes.xaxis, lambda value: f"{value:g}", ticks)
+        axes.set_xlim(low / 1.03, high * 1.03)
+        scale = " (log scale)" if high > 3 else ""
+        axes.set_xlabel(
+            f"time on fresh points ÷ time on fixed points{scale}; 1 = no difference"
+        )
+        _isa_legend_without_frontier(figure, isas)
+        largest = table.loc[table["fresh_over_fixed"].idxmax()]
+        title = (
+            f"Fresh against fixed points, {scalar}: {times(largest['fresh_over_fixed'])}"
+            f" the time at most ({largest['method']}, {largest['isa']})"
+        )
+        alt = f"{title}. " + " ".join(
+            f"{row.method} on {row.isa}: {times(row.fresh_over_fixed)}."
+            for row in table.sort_values("fresh_over_fixed", ascending=False)
+            .head(8)
+            .itertuples()
+        )
+        return finish(figure, f"fixed-{scalar}", title, alt, footer)
+
+
+def _isa_legend_without_frontier(figure: Any, isas: list[str]) -> None:
+    handles = [
+        Line2D(
+            [],
+            [],
+            linestyle="",
+            marker=palette.isa_marker(isa),
+            markersize=9 if palette.isa_marker(isa) == "*" else 6,
+            color="#666666",
+            label=isa,
+        )
+        for isa in isas
+    ]
+    figure.legend(
+        handles=handles,
+        loc="lower left",
+        bbox_to_anchor=(0.075, 0.26 / figure.get_size_inches()[1]),
+        ncol=len(handles),
+        fontsize=8.5,
+        handletextpad=0.3,
+        columnspacing=1.2,
+    )
+
+
+def loops(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
+    """Each method's time an item in each loop. `table`: tables.loops_compared."""
+    methods = sorted(table["method"].unique(), key=palette.method_rank)
+    names = sorted(table["loop"].unique(), key=palette.loop_rank)
+    with style():
+        height = 1.95 + 0.3 * len(methods)
+        figure, axes = plt.subplots(figsize=(10, height))
+        figure.subplots_adjust(
+            left=0.26, right=0.97, top=1 - 0.75 / height, bottom=1.05 / height
+        )
+        axes.set_xscale("log")
+        for name in names:
+            rows = table[table["loop"] == name]
+            marker, colour = palette.loop_style(name)
+            axes.errorbar(
+                rows["ns"],
+                [-methods.index(method) for method in rows["method"]],
+                xerr=[rows["ns"] - rows["ns_low"], rows["ns_high"] - rows["ns"]],
+                fmt=marker,
+                color=colour,
+                markersize=6,
+                elinewidth=1,
+                label=name,
+            )
+        low, high = float(table["ns_low"].min()), float(table["ns_high"].max())
+        axes.set_xlim(low / 1.15, high * 1.15)
+        steps = [m * 10.0**e for e in range(-4, 5) for m in (1, 2, 5)]
+        ticks_at(
+            axes.xaxis,
+            lambda value: f"{value:g}",
+            [t for t in steps if low / 1.15 < t < high * 1.15],
+        )
+        axes.set_yticks([-i for i in range(len(methods))], methods)
+        axes.set_ylim(-len(methods) + 0.4, 0.6)
+        isa = table["isa"].iloc[0]
+        axes.set_xlabel(f"←  better      ns per item, {scalar}, {isa} (log scale)")
+        figure.legend(
+            loc="lower left",
+            bbox_to_anchor=(0.25, 0.26 / height),
+            ncol=len(names),
+            fontsize=8.5,
+        )
+        medians = table.groupby("loop")["ns"].median()
+        title = f"By loop, {scalar}, {isa}: median over the methods " + listed(
+            [f"{significant(medians[name])} ns ({name})" for name in names]
+        )
+        alt = f"{title}. " + " ".join(
+            f"{row.method}, {row.loop}: {significant(row.ns)} ns."
+            for row in table.itertuples()
+        )
+        return finish(figure, f"loops-{scalar}", title, alt, footer)

@@ -1,0 +1,106 @@
+"""The look of every method, ISA and loop, pinned for ever.
+
+A method keeps its colour when others come and go. The hues are those of Okabe
+and Ito (2008) and, for the methods still to come, of Tol's muted set; both
+can be told apart with the common colour blindnesses. Variants of one formula
+share its hue and differ in fill and dash, so that no more hues are needed
+than an eye can tell.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Final
+
+
+@dataclasses.dataclass(frozen=True)
+class MethodStyle:
+    colour: str
+    variant: bool = False  # drawn hollow and dashed
+
+    @property
+    def dash(self) -> str:
+        return "--" if self.variant else "-"
+
+
+METHODS: Final = {
+    "cross_product": MethodStyle("#0072B2"),
+    "cross_product_det": MethodStyle("#3D9BD4"),
+    "cross_product_det_fma": MethodStyle("#3D9BD4", variant=True),
+    "edge_function": MethodStyle("#D55E00"),
+    "edge_function_fma": MethodStyle("#D55E00", variant=True),
+    "barycentric_inverse": MethodStyle("#B5588C"),
+    "barycentric_determinant": MethodStyle("#009E73", variant=True),
+    "barycentric_determinant_closed": MethodStyle("#009E73"),
+    "uv_projection": MethodStyle("#C98A00"),
+    "cross_solve": MethodStyle("#222222"),
+    "cross_solve_published": MethodStyle("#222222", variant=True),
+    "promoted_f64": MethodStyle("#332288"),
+    "exact": MethodStyle("#882255"),
+    "snapped_i16": MethodStyle("#999933"),
+    "snapped_u8": MethodStyle("#999933", variant=True),
+}
+UNKNOWN_METHOD: Final = MethodStyle("#8A8A8A")
+
+# Narrowest first: the order of every axis, legend and table.
+ISAS: Final = {
+    "scalar": "o",
+    "autovec_v2": "<",
+    "autovec_v3": "v",
+    "autovec_v4": ">",
+    "ssse3": "p",
+    "sse4": "s",
+    "avx2": "D",
+    "avx512": "*",
+    "neon": "h",
+    "sve": "P",
+    "sve2": "X",
+}
+UNKNOWN_ISA: Final = "."
+
+LOOPS: Final = {
+    "one_triangle": ("o", "#222222"),
+    "one_point": ("s", "#0072B2"),
+    "pairs": ("D", "#D55E00"),
+    "grid": ("^", "#009E73"),
+}
+UNKNOWN_LOOP: Final = ("x", "#8A8A8A")
+
+INK: Final = "#222222"
+FAINT: Final = "#9A9A9A"
+GRID: Final = "#E3E3E3"
+
+
+def method_style(method: str) -> MethodStyle:
+    return METHODS.get(method, UNKNOWN_METHOD)
+
+
+def isa_marker(isa: str) -> str:
+    return ISAS.get(isa, UNKNOWN_ISA)
+
+
+def loop_style(loop: str) -> tuple[str, str]:
+    return LOOPS.get(loop, UNKNOWN_LOOP)
+
+
+def isa_rank(isa: str) -> tuple[int, str]:
+    """Sorts ISAs from narrow to wide, those without a place last."""
+    names = list(ISAS)
+    return (names.index(isa) if isa in ISAS else len(names), isa)
+
+
+def method_rank(method: str) -> tuple[int, str]:
+    """Sorts methods as they are listed here, those without a place last."""
+    names = list(METHODS)
+    return (names.index(method) if method in METHODS else len(names), method)
+
+
+def loop_rank(loop: str) -> tuple[int, str]:
+    names = list(LOOPS)
+    base = loop.removesuffix("_weights")
+    return (names.index(base) if base in LOOPS else len(names), loop)
+
+
+def is_autovec(isa: str) -> bool:
+    """Whether the rows are a plain loop that the compiler vectorised."""
+    return isa.startswith("autovec")

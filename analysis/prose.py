@@ -1,0 +1,322 @@
+"""The facts that the report's prose is made of, as finished phrases.
+
+The template holds sentences, this holds what varies in them: every number,
+name, word of rank and verdict comes from the run's tables.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from analysis import columns, palette
+from analysis.cells import parse_scene
+from analysis.noise import TOLERANCE
+from analysis.report import MAIN_LOOP, Report, short_revision
+from analysis.run import Machine
+from analysis.tables import reference_cells
+from analysis.verdicts import WHOLE
+from analysis.wording import (
+    between,
+    counted,
+    listed,
+    nanoseconds,
+    rate_of_items,
+    share,
+    share_between,
+    significant,
+    size_in_bytes,
+    times,
+)
+
+METHODS_TEXT = Path(__file__).resolve().parent.parent / "report" / "methods.toml"
+
+
+def facts(report: Report) -> dict[str, Any]:
+    """What the templates may use."""
+    run, machine = report.run, report.run.machine
+    return {
+        "run": run.name,
+        "profile": run.profile,
+        "revision": short_revision(run),
+        "dirty": machine.dirty,
+        "machine": machine,
+        "machine_rows": _machine_rows(machine),
+        "cells": counted(len(report.cells), "cell"),
+        "judged": counted(len(run.accuracy), "cell"),
+        "points_judged": counted(int(run.accuracy["points"].sum()), "answer"),
+        "refused": len(run.refused),
+        "refused_count": counted(len(run.refused), "cell"),
+        "noise": report.noise,
+        "tolerance": f"{100 * TOLERANCE:.0f} %",
+        "repetitions": _repetitions(report),
+        "coverage": _coverage(report),
+        "methods": method_texts(report),
+        "scenes": run.scenes,
+        "scalar": report.scalar,
+        "isa": report.isa,
+        "scene": report.scene,
+        "scene_words": scene_words(report.scene),
+        "accuracy_loop": report.accuracy_loop,
+        "advice": advice(report),
+        "uniform": uniform(report),
+        "near_edge": near_edge(report),
+        "scaling": scaling(report),
+        "autovec": autovec(report),
+        "agreement": agreement(report),
+        "fma": fma(report),
+        "shards": run.shards,
+        "readme_columns": [column.title for column in columns.README_VERDICTS],
+        "readme_rows": [
+            [column.show(row) for column in columns.README_VERDICTS]
+            for row in report.verdicts.to_dict("records")
+        ],
+    }
+
+
+def advice(report: Report) -> dict[str, Any] | None:
+    """Which method to take, in phrases."""
+    if report.advice is None:
+        return None
+    table = report.verdicts.set_index("method")
+    taken = report.advice
+
+    def words(method: str) -> dict[str, str]:
+        row = table.loc[method]
+        return {
+            "method": method,
+            "ns": nanoseconds(row["ns"]),
+            "interval": between(row["ns_low"], row["ns_high"]),
+            "points": rate_of_items(row["items_per_second"]),
+            "errors": share(row["error_rate"]),
+            "errors_interval": share_between(
+                row["error_rate_low"], row["error_rate_high"]
+            ),
+        }
+
+    others = [method for method in taken.alike if method != taken.most_right]
+    least = table.loc[taken.most_right, "error_rate"]
+    published = table[table["accepts"].fillna(WHOLE) != WHOLE]
+    return {
+        "same": taken.fastest == taken.most_right,
+        "fastest": words(taken.fastest),
+        "most_right": words(taken.most_right),
+        "cost": times(taken.cost),
+        "cost_interval": between(taken.cost_low, taken.cost_high),
+        "alike": listed(others),
+        "alike_count": len(others),
+        "never_errs": bool(least == 0),
+        "not_whole": [(method, row["verdict"]) for method, row in published.iterrows()],
+    }
+
+
+def uniform(report: Report) -> dict[str, str] | None:
+    """How often the methods err where points are spread evenly."""
+    accuracy = report.run.accuracy
+    rows = accuracy[(accuracy["family"] == "uniform") & (accuracy["accepts"] == WHOLE)]
+    if not len(rows):
+        return None
+    rows = rows.assign(wrong=rows["false_outside"] + rows["false_inside"])
+    wrong = rows.groupby("method")["wrong"].sum()
+    erring = sorted(wrong[wrong > 0].index, key=palette.method_rank)
+    return {
+        "methods": counted(len(wrong), "method"),
+        "points": counted(int(rows["points"].sum()), "answer"),
+        "wrong": counted(int(wrong.sum()), "wrong answer"),
+        "erring": listed(erring),
+    }
+
+
+def near_edge(report: Report) -> dict[str, str] | None:
+    """How the error rates on the hard scenes are pooled."""
+    rows = report.run.accuracy
+    rows = rows[(rows["family"] == "near_edge") & (rows["scalar"] == report.scalar)]
+    if not len(rows):
+        return None
+    distances = sorted({parse_scene(s).number("ulps") for s in rows["scene"]})
+    per_cell = rows.groupby(["method", "isa", "loop"])["points"].sum()
+    return {
+        "scenes": counted(rows["scene"].nunique(), "scene"),
+        "distances": listed([f"{value:g}" for value in distances]),
+        "points": counted(int(per_cell.max()), "point"),
+    }
+
+
+def scaling(report: Report) -> list[dict[str, str]]:
+    """For each ISA: the slowest and the fastest method's gain over scalar."""
+    rows = reference_cells(report.cells, report.scalar, MAIN_LOOP)
+    rows = rows.dropna(subset=["times_scalar"])
+    found = []
+    for isa in sorted(rows["isa"].unique(), key=palette.isa_rank):
+        if isa == "scalar" or palette.is_autovec(isa):
+            continue
+        gains = rows[rows["isa"] == isa].set_index("method")["times_scalar"]
+        found.append(
+            {
+                "isa": isa,
+                "least": times(gains.min()),
+                "least_method": gains.idxmin(),
+                "most": times(gains.max()),
+                "most_method": gains.idxmax(),
+            }
+        )
+    return found
+
+
+def autovec(report: Report) -> list[dict[str, str]]:
+    """For each method with plain-loop rows: the best of them against the
+    best hand-vectorised row of the same method.
+    """
+    rows = reference_cells(report.cells, report.scalar, MAIN_LOOP)
+    rows = rows.assign(plain=rows["isa"].map(palette.is_autovec).astype(bool))
+    found = []
+    for method in sorted(
+        rows[rows["plain"]]["method"].unique(), key=palette.method_rank
+    ):
+        own = rows[rows["method"] == method]
+        loop = own[own["plain"]]
+        vector = own[~own["plain"]]
+        if len(loop) and len(vector):
+            best_loop = loop.loc[loop["ns"].idxmin()]
+            best = vector.loc[vector["ns"].idxmin()]
+            found.append(
+                {
+                    "method": method,
+                    "loop_isa": best_loop["isa"],
+                    "isa": best["isa"],
+                    "ratio": times(best_loop["ns"] / best["ns"]),
+                }
+            )
+    return found
+
+
+def agreement(report: Report) -> dict[str, Any] | None:
+    """Whether the ISAs give the same answers."""
+    table = report.agreement
+    if not len(table):
+        return None
+    apart = table[~table["agree"].astype(bool)]
+    return {
+        "groups": counted(len(table), "group"),
+        "apart": len(apart),
+        "apart_count": counted(len(apart), "group"),
+        "methods": listed(sorted(apart["method"].unique(), key=palette.method_rank)),
+    }
+
+
+def fma(report: Report) -> list[dict[str, str]]:
+    """For each method that also comes with multiply-add: what that changes."""
+    table = report.verdicts
+    if not len(table):
+        return []
+    rows = table.set_index("method")
+    found = []
+    for method in rows.index:
+        fused = f"{method}_fma"
+        if fused in rows.index:
+            plain, other = rows.loc[method], rows.loc[fused]
+            found.append(
+                {
+                    "method": method,
+                    "fused": fused,
+                    "time": significant(other["ns"] / plain["ns"]),
+                    "plain_errors": share(plain["error_rate"]),
+                    "errors": share(other["error_rate"]),
+                    "inside": _change(plain, other, "false_inside"),
+                    "outside": _change(plain, other, "false_outside"),
+                }
+            )
+    return found
+
+
+def _change(plain: pd.Series, other: pd.Series, key: str) -> str:
+    before, after = plain[key], other[key]
+    if pd.isna(before) or pd.isna(after):
+        return "unknown"
+    return f"{int(before):,} → {int(after):,}".replace(",", "\u202f")
+
+
+def method_texts(report: Report) -> list[dict[str, Any]]:
+    """The methods of the run in words, in their lasting order."""
+    texts = tomllib.loads(METHODS_TEXT.read_text(encoding="utf-8"))
+    declared = {entry.key: entry for entry in report.run.methods}
+    measured = set(report.cells["method"]) | set(report.run.accuracy["method"])
+    rules = dict(
+        zip(report.run.accuracy["method"], report.run.accuracy["boundary_rule"])
+    )
+    found = []
+    for key in sorted(measured, key=palette.method_rank):
+        entry = declared.get(key)
+        text = texts.get(key, {})
+        found.append(
+            {
+                "key": key,
+                "colour": palette.method_style(key).colour,
+                "title": text.get("title", key),
+                "idea": text.get("idea", ""),
+                "formula": entry.formula if entry else text.get("formula", ""),
+                "source": entry.source if entry else "",
+                "cost": text.get("cost", ""),
+                "boundary": (entry.boundary if entry else rules.get(key, "")).replace(
+                    "_", "-"
+                ),
+                "weights": entry.weights if entry else False,
+            }
+        )
+    return found
+
+
+def scene_words(scene: str | None) -> str:
+    """The reference scene in words."""
+    if scene is None:
+        return ""
+    parsed = parse_scene(scene)
+    parts = []
+    if parsed.get("n"):
+        parts.append(f"{counted(int(parsed.number('n')), 'point')} a call")
+    if parsed.get("hit"):
+        parts.append(f"{parsed.get('hit')} % of them inside")
+    return ", ".join(parts)
+
+
+def _repetitions(report: Report) -> str:
+    counts = sorted(set(report.cells["repetitions"]))
+    return listed([str(count) for count in counts])
+
+
+def _coverage(report: Report) -> str:
+    return f"{100 * report.cells['coverage'].min():.1f} %"
+
+
+def _machine_rows(machine: Machine) -> list[tuple[str, str]]:
+    yes = {True: "yes", False: "no", None: "not told"}
+    virtual = "yes" if machine.virtual else "no"
+    if machine.hypervisor:
+        virtual += f" ({machine.hypervisor})"
+    caches = listed(
+        [
+            f"L{c.level} {c.type.lower()} {size_in_bytes(c.bytes)}"
+            + (f" for {c.shared_by} threads" if c.shared_by > 1 else "")
+            for c in machine.caches
+        ]
+    )
+    return [
+        ("CPU", machine.model),
+        ("Microcode", machine.microcode or "not told"),
+        ("Cores and threads", f"{machine.cores} and {machine.threads}"),
+        ("Simultaneous multithreading", yes[machine.smt]),
+        ("Frequency governor", machine.governor or "not told"),
+        ("Virtual machine", virtual),
+        ("Caches", caches or "not told"),
+        ("Memory", size_in_bytes(machine.memory_bytes)),
+        ("Instruction sets that run here", listed(machine.isas)),
+        ("Kernel", machine.kernel),
+        ("System", machine.distribution),
+        ("Compiler", machine.compiler),
+        ("Libraries", listed([f"{name} {v}" for name, v in machine.libraries])),
+        ("Revision", machine.revision + (", with changes" if machine.dirty else "")),
+        ("Seed", str(machine.seed)),
+    ]

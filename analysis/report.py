@@ -1,0 +1,290 @@
+"""Everything a report shows: exhibits in their order, and the facts that its
+prose is made of. Pure: from a run to a Report, nothing is written here.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pandas as pd
+
+from analysis import accuracy_tables, columns, noise, tables
+from analysis.accuracy_charts import HARDNESSES, errors_along
+from analysis.charts import fixed_against_fresh, hero, loops, scaling
+from analysis.exhibits import Exhibits
+from analysis.run import Run
+from analysis.verdicts import Advice, advise, verdicts
+
+# The page stays below its 5 MB whatever the profile; the CSV has every row.
+MOST_ROWS = 1500
+
+MAIN_LOOP = "one_triangle"
+
+
+@dataclasses.dataclass(frozen=True)
+class Report:
+    run: Run
+    exhibits: Exhibits
+    noise: noise.Verdict
+    cells: pd.DataFrame
+    verdicts: pd.DataFrame  # for `scalar`, at `isa`
+    advice: Advice | None
+    agreement: pd.DataFrame
+    scalar: str  # of the main comparison
+    isa: str | None  # the widest, of the main comparison
+    scene: str | None
+    accuracy_loop: str | None
+
+
+def build(run: Run) -> Report:
+    """The report of a run."""
+    cells = tables.speed_cells(run.speed)
+    judged = noise.judge(run.speed, run.shards)
+    scalars = [s for s in ("f32", "f64") if s in set(cells["scalar"])]
+    scalar = scalars[0] if scalars else str(cells["scalar"].iloc[0])
+    isa = tables.widest_isa(tables.reference_cells(cells, scalar, MAIN_LOOP))
+    table = verdicts(run.speed, cells, run.accuracy, scalar)
+    footer = _footer(run, judged)
+    exhibits = Exhibits()
+    _add_heroes(exhibits, run, cells, scalars, footer)
+    if len(table):
+        exhibits.table(
+            "verdicts",
+            f"Every method at its best: {scalar} on {isa}, one triangle against fresh "
+            "points. “Needles” and “far away” give the largest error rate "
+            "along the scenes of that family.",
+            table,
+            columns.VERDICTS,
+        )
+    _add_scaling(exhibits, cells, scalars, footer)
+    _add_errors(exhibits, run, cells, scalars, footer)
+    _add_fixed(exhibits, run, cells, scalar, footer)
+    _add_loops(exhibits, cells, scalar, footer)
+    _add_grid_and_weights(exhibits, run, cells)
+    _add_whole_tables(exhibits, run, cells)
+    _add_machine(exhibits, run, judged)
+    return Report(
+        run=run,
+        exhibits=exhibits,
+        noise=judged,
+        cells=cells,
+        verdicts=table,
+        advice=advise(table) if len(table) else None,
+        agreement=accuracy_tables.isa_agreement(run.accuracy),
+        scalar=scalar,
+        isa=isa,
+        scene=tables.reference_scene(cells, MAIN_LOOP),
+        accuracy_loop=accuracy_tables.accuracy_loop(run.accuracy),
+    )
+
+
+def short_revision(run: Run) -> str:
+    return run.machine.revision[:12] + (" (dirty)" if run.machine.dirty else "")
+
+
+def _footer(run: Run, judged: noise.Verdict) -> str:
+    return "  ·  ".join(
+        [
+            run.machine.model,
+            run.machine.compiler,
+            f"revision {short_revision(run)}",
+            f"profile {run.profile}",
+            f"noise: {judged.word}",
+        ]
+    )
+
+
+def _add_heroes(
+    exhibits: Exhibits,
+    run: Run,
+    cells: pd.DataFrame,
+    scalars: list[str],
+    footer: str,
+) -> None:
+    for scalar in scalars:
+        marks = accuracy_tables.speed_against_error(cells, run.accuracy, scalar)
+        marks = marks.dropna(subset=["error_rate"])
+        if len(marks):
+            exhibits.figure(
+                hero(marks, scalar, footer),
+                f"Speed against error, {scalar}. Each mark is one method compiled for "
+                "one instruction set, at the median of its repetitions; whiskers are "
+                "95 % intervals. The black line is the frontier: nothing lies below "
+                "it and to its right. Marks in the grey lane made no error at all; "
+                "their whisker ends at the largest rate that this leaves possible.",
+                marks,
+            )
+
+
+def _add_scaling(
+    exhibits: Exhibits, cells: pd.DataFrame, scalars: list[str], footer: str
+) -> None:
+    for scalar in scalars:
+        rows = tables.reference_cells(cells, scalar, MAIN_LOOP)
+        rows = rows.dropna(subset=["times_scalar"])
+        if len(rows):
+            exhibits.figure(
+                scaling(rows, scalar, footer),
+                f"Speed by instruction set, {scalar}, over the scalar row of the same "
+                "method. Hollow bars are a plain loop that the compiler vectorised. "
+                "Whiskers are 95 % intervals of the ratio.",
+                rows,
+            )
+
+
+def _add_errors(
+    exhibits: Exhibits,
+    run: Run,
+    cells: pd.DataFrame,
+    scalars: list[str],
+    footer: str,
+) -> None:
+    for hardness in HARDNESSES:
+        parts: dict[str, pd.DataFrame] = {}
+        isa = tables.widest_isa(run.accuracy)
+        for scalar in scalars:
+            along = accuracy_tables.errors_along(
+                run.accuracy, hardness.family, hardness.key, scalar, str(isa)
+            )
+            if len(along):
+                parts[scalar] = along
+        if parts:
+            exhibits.figure(
+                errors_along(parts, hardness, str(isa), footer),
+                f"Error rate against {hardness.axis} ({isa}). Bands and whiskers are "
+                "Wilson intervals; the grey lane holds the rates that are exactly "
+                "zero.",
+                pd.concat(
+                    [part.assign(scalar=scalar) for scalar, part in parts.items()]
+                ),
+            )
+
+
+def _add_fixed(
+    exhibits: Exhibits, run: Run, cells: pd.DataFrame, scalar: str, footer: str
+) -> None:
+    every = tables.fixed_against_fresh(run.speed, cells)
+    main = every[
+        (every["loop"] == MAIN_LOOP)
+        & (every["scalar"] == scalar)
+        & (every["family"] == "uniform")
+    ]
+    if len(main):
+        one_scene = main[main["scene"] == main["scene"].iloc[0]]
+        exhibits.figure(
+            fixed_against_fresh(one_scene, scalar, footer),
+            "The same kernel on many rotating sets of points over one set used again "
+            "and again. Whiskers are 95 % intervals.",
+            one_scene,
+        )
+    if len(every):
+        exhibits.table(
+            "fixed",
+            "Fresh against fixed, every cell that has both.",
+            every,
+            columns.FIXED,
+            MOST_ROWS,
+        )
+
+
+def _add_loops(
+    exhibits: Exhibits, cells: pd.DataFrame, scalar: str, footer: str
+) -> None:
+    rows = tables.loops_compared(cells, scalar)
+    if rows["loop"].nunique() > 1:
+        exhibits.figure(
+            loops(rows, scalar, footer),
+            "Time an item in each loop. What an item is differs: a point in "
+            "one_triangle, a triangle in one_point, a pair of both in pairs.",
+            rows,
+        )
+        exhibits.table(
+            "loops",
+            f"The three loops, {scalar}. The bytes are those that an item reads.",
+            rows,
+            columns.LOOPS,
+        )
+
+
+def _add_grid_and_weights(exhibits: Exhibits, run: Run, cells: pd.DataFrame) -> None:
+    grid = tables.grid_cells(cells)
+    if len(grid):
+        exhibits.table(
+            "grid", "Time a triangle on the published pixel grid.", grid, columns.GRID
+        )
+    weights = accuracy_tables.weights_accuracy(run.accuracy)
+    if len(weights):
+        exhibits.table(
+            "weights",
+            "Error of the barycentric weights against exact ones, in ulps of 1 (their "
+            "sum), by family of scenes; weights that came out infinite or NaN are "
+            "counted apart.",
+            weights,
+            columns.WEIGHTS,
+        )
+    cost = tables.cost_of_weights(run.speed, cells)
+    if len(cost):
+        exhibits.table(
+            "weights_cost",
+            "Writing the three weights beside the bit: time over that of the same "
+            "cell without.",
+            cost,
+            columns.WEIGHTS_COST,
+            MOST_ROWS,
+        )
+
+
+def _add_whole_tables(exhibits: Exhibits, run: Run, cells: pd.DataFrame) -> None:
+    exhibits.table("cells", "Every timed cell.", cells, columns.CELLS, MOST_ROWS)
+    exhibits.table(
+        "accuracy",
+        "Every judged cell.",
+        accuracy_tables.accuracy_cells(run.accuracy),
+        columns.ACCURACY,
+        MOST_ROWS,
+    )
+    if len(run.worst):
+        worst = run.worst.sort_values(
+            ["distance_ulps", "name", "kind", "p"], ascending=[False, True, True, True]
+        ).reset_index(drop=True)
+        exhibits.table(
+            "worst",
+            "The wrong answers farthest from the boundary, as hex floats that can be "
+            "given to `pitbench classify`.",
+            worst,
+            columns.WORST,
+            60,
+        )
+    if len(run.refused):
+        exhibits.table(
+            "refused",
+            "Cells that were not timed because their answers were not right.",
+            tables.sort_cells(run.refused),
+            columns.REFUSED,
+            MOST_ROWS,
+        )
+
+
+def _add_machine(exhibits: Exhibits, run: Run, judged: noise.Verdict) -> None:
+    exhibits.table(
+        "shards",
+        "Each shard of the speed measurement, and how quiet it was.",
+        judged.shards,
+        columns.SHARDS,
+    )
+    flags = pd.DataFrame(
+        [list(entry) for entry in run.machine.flags],
+        columns=["source", "isas", "flags"],
+    )
+    grouped = (
+        flags.groupby(["isas", "flags"], sort=True)["source"]
+        .agg(lambda sources: ", ".join(sorted(sources)))
+        .reset_index()
+    )
+    if len(grouped):
+        exhibits.table(
+            "flags",
+            "The compiler's full flags for each kernel file.",
+            grouped[["source", "isas", "flags"]],
+            columns.FLAGS,
+        )

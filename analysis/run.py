@@ -1,0 +1,121 @@
+"""What a run is made of: typed objects and data frames of fixed columns."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Final
+
+import pandas as pd
+
+CELL_COLUMNS: Final = ["loop", "scene", "family", "method", "scalar", "isa"]
+SPEED_COLUMNS: Final = ["shard", "name", *CELL_COLUMNS] + [
+    "twin",
+    "repetition",
+    "ns",
+    "items",
+    "working_set_bytes",
+    "bytes_per_item",
+]
+REFUSED_COLUMNS: Final = ["shard", "name", *CELL_COLUMNS, "reason"]
+ACCURACY_COLUMNS: Final = (
+    ["shard", "name", *CELL_COLUMNS]
+    + ["boundary_rule", "accepts", "points", "interior", "exterior", "boundary"]
+    + ["degenerate", "false_outside", "false_inside", "boundary_accepted"]
+    + ["smallest_ulps", "largest_ulps"]
+    + [
+        "weights_largest_ulps",
+        "weights_mean_ulps",
+        "weights_not_finite",
+        "weights_points",
+    ]
+)
+WORST_COLUMNS: Final = [
+    "name",
+    *CELL_COLUMNS,
+    "kind",
+    "distance_ulps",
+    "a",
+    "b",
+    "c",
+    "p",
+]
+
+
+@dataclasses.dataclass(frozen=True)
+class Cache:
+    level: int
+    type: str
+    bytes: int
+    shared_by: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Machine:
+    """machine.json: what the run was measured on, and with which build."""
+
+    model: str
+    microcode: str
+    cores: int
+    threads: int
+    smt: bool | None
+    governor: str | None
+    virtual: bool
+    hypervisor: str | None
+    caches: tuple[Cache, ...]
+    isas: tuple[str, ...]
+    kernel: str
+    distribution: str
+    compiler: str
+    flags: tuple[tuple[str, str, str], ...]  # (kernel source file, ISA set, flags)
+    libraries: tuple[tuple[str, str], ...]
+    revision: str
+    dirty: bool
+    seed: int
+    memory_bytes: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Shard:
+    """The context of one speed file."""
+
+    name: str
+    filter: str
+    cpu: int
+    clock_before_ghz: float
+    clock_after_ghz: float
+    steal_percent: float
+    load_average: float
+
+
+@dataclasses.dataclass(frozen=True)
+class MethodEntry:
+    """What a method declares of itself (methods.json)."""
+
+    key: str
+    source: str
+    formula: str
+    boundary: str
+    accepts: str
+    fma: bool
+    weights: bool
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """All results of one machine at one revision.
+
+    speed: one row a repetition; refused: one row a cell that was not timed;
+    accuracy: one row a cell, the three shares as counts; worst: one row a
+    wrong answer. `scene` is the text, `family` its first word.
+    """
+
+    name: str
+    profile: str
+    machine: Machine
+    shards: tuple[Shard, ...]
+    speed: pd.DataFrame
+    refused: pd.DataFrame
+    accuracy: pd.DataFrame
+    worst: pd.DataFrame
+    methods: tuple[MethodEntry, ...]
+    scenes: tuple[tuple[str, str], ...]  # (name, what it describes)

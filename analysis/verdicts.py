@@ -1,0 +1,146 @@
+"""What follows from speed and error together: one verdict a method, and which
+to take. Every word of rank is decided here, from the tables.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pandas as pd
+
+from analysis.accuracy_tables import hardest, speed_against_error
+from analysis.accuracy_charts import HARDNESSES
+from analysis.palette import method_rank
+from analysis.stats import ratio_interval
+from analysis.tables import samples, widest_isa
+from analysis.wording import share, times
+
+WHOLE = "triangle"  # the method decides the whole triangle
+
+
+@dataclasses.dataclass(frozen=True)
+class Advice:
+    """Which method to take. most_right is the fastest of those that err as
+    rarely as the best, as far as the intervals can tell; `alike` are those.
+    """
+
+    fastest: str
+    most_right: str
+    alike: tuple[str, ...]
+    cost: float  # time of most_right over that of fastest
+    cost_low: float
+    cost_high: float
+
+
+def verdicts(
+    speed: pd.DataFrame, cells: pd.DataFrame, accuracy: pd.DataFrame, scalar: str
+) -> pd.DataFrame:
+    """One row a method at the widest ISA: its time, that time over the
+    fastest one's (of those that decide the whole triangle), its error rate
+    near an edge, the largest one on needles and far away, and a verdict.
+    """
+    marks = speed_against_error(cells, accuracy, scalar)
+    isa = widest_isa(marks)
+    rows = marks[marks["isa"] == isa].reset_index(drop=True)
+    if not len(rows):
+        return rows.assign(verdict=[])
+    by_cell = samples(speed)
+    fastest = _fastest(rows)
+    base = by_cell[fastest["shard"], fastest["name"]]
+    ratios = [
+        ratio_interval(by_cell[row.shard, row.name_], base)
+        for row in rows.rename(columns={"name": "name_"}).itertuples()
+    ]
+    extra = {
+        f"worst_{hardness.family}": rows["method"].map(
+            hardest(accuracy, hardness.family, hardness.key, scalar, str(isa))
+        )
+        for hardness in HARDNESSES
+    }
+    table = rows.assign(
+        time_over_best=[ratio.value for ratio in ratios],
+        time_over_best_low=[ratio.low for ratio in ratios],
+        time_over_best_high=[ratio.high for ratio in ratios],
+        **extra,
+    )
+    texts = [_verdict(row, table) for _, row in table.iterrows()]
+    return table.assign(verdict=texts)
+
+
+def _fastest(rows: pd.DataFrame) -> pd.Series:
+    whole = rows[rows["accepts"].fillna(WHOLE) == WHOLE]
+    among = whole if len(whole) else rows
+    return among.loc[among["ns"].idxmin()]
+
+
+def advise(table: pd.DataFrame) -> Advice | None:
+    """From the table of verdicts; None if no answer was judged."""
+    known = table[(table["accepts"] == WHOLE) & table["error_rate"].notna()]
+    if not len(known):
+        return None
+    fastest = known.loc[known["ns"].idxmin()]
+    best_high = known.loc[known["error_rate"].idxmin(), "error_rate_high"]
+    alike = known[known["error_rate_low"] <= best_high]
+    most_right = alike.loc[alike["ns"].idxmin()]
+    return Advice(
+        fastest=fastest["method"],
+        most_right=most_right["method"],
+        alike=tuple(sorted(alike["method"], key=method_rank)),
+        cost=most_right["time_over_best"],
+        cost_low=most_right["time_over_best_low"],
+        cost_high=most_right["time_over_best_high"],
+    )
+
+
+def _verdict(row: pd.Series, table: pd.DataFrame) -> str:
+    if pd.isna(row["error_rate"]):
+        return "its answers were not judged in this run"
+    if row["accepts"] != WHOLE:
+        refused = row["false_outside"] / max(row["interior"], 1)
+        return (
+            "decides another question: only the third of the triangle nearest to "
+            f"vertex A, and so refuses {share(refused)} of the points inside"
+        )
+    whole = table[(table["accepts"] == WHOLE) & table["error_rate"].notna()]
+    better = whole[
+        (whole["ns"] <= row["ns"])
+        & (whole["error_rate"] <= row["error_rate"])
+        & ((whole["ns"] < row["ns"]) | (whole["error_rate"] < row["error_rate"]))
+    ]
+    if len(better):
+        order = better.sort_values(["error_rate", "ns"])
+        return _beaten(row, order.iloc[0])
+    return _on_frontier(row, whole)
+
+
+def _beaten(row: pd.Series, by: pd.Series) -> str:
+    quicker = row["time_over_best"] / by["time_over_best"]
+    fast = (
+        "takes as long"
+        if by["ns_high"] >= row["ns_low"]
+        else f"is {times(quicker)} as fast"
+    )
+    if by["error_rate"] == row["error_rate"]:
+        right = "errs as often"
+    elif by["error_rate_high"] >= row["error_rate_low"]:
+        right = "errs no more often"
+    elif by["error_rate"] == 0:
+        right = "does not err there"
+    else:
+        right = f"errs {times(row['error_rate'] / by['error_rate'])} less often"
+    return f"{by['method']} {fast} and {right}"
+
+
+def _on_frontier(row: pd.Series, whole: pd.DataFrame) -> str:
+    fastest = row["ns"] == whole["ns"].min()
+    rightest = row["error_rate"] == whole["error_rate"].min()
+    if fastest and rightest:
+        return "the fastest, and none errs less"
+    if fastest:
+        return "the fastest; whatever errs less takes longer"
+    errs = "does not err near an edge" if row["error_rate"] == 0 else "errs least"
+    if rightest:
+        return f"{errs}; whatever is faster errs more"
+    least = whole["error_rate"].min()
+    worse = f" ({times(row['error_rate'] / least)} the least error rate)" * (least > 0)
+    return f"on the frontier: whatever is faster errs more{worse}"

@@ -1,0 +1,92 @@
+"""Numbers as people read them. Pure functions from numbers to text."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+NONE = "–"
+
+
+def significant(value: float, digits: int = 3) -> str:
+    """`value` rounded to so many digits, without an exponent."""
+    if not math.isfinite(value):
+        return NONE
+    if value == 0:
+        return "0"
+    places = digits - 1 - math.floor(math.log10(abs(value)))
+    rounded = round(value, places)
+    if rounded and math.floor(math.log10(abs(rounded))) > digits - 1 - places:
+        places -= 1  # 9.999 became 10.00, which has a digit too many
+    text = f"{rounded:.{max(places, 0)}f}"
+    return grouped(int(rounded)) if places <= 0 else text
+
+
+def grouped(value: int) -> str:
+    """1234567 → 1 234 567, with spaces that do not break."""
+    return f"{value:,}".replace(",", "\u202f")
+
+
+def nanoseconds(value: float) -> str:
+    return significant(value) + " ns"
+
+
+def rate_of_items(per_second: float) -> str:
+    """12.3e9 → 12.3 G/s."""
+    for unit, size in (("G", 1e9), ("M", 1e6), ("k", 1e3)):
+        if per_second >= size:
+            return f"{significant(per_second / size)} {unit}/s"
+    return significant(per_second) + " /s"
+
+
+def share(value: float) -> str:
+    """A share as % where that reads well, else in a million."""
+    if not math.isfinite(value):
+        return NONE
+    if value == 0:
+        return "0"
+    if value >= 0.001:
+        return significant(100 * value) + " %"
+    return significant(1e6 * value) + " in a million"
+
+
+def share_between(low: float, high: float) -> str:
+    """A range of shares in one unit."""
+    if high >= 0.001:
+        return f"{significant(100 * low)} to {significant(100 * high)} %"
+    return f"{significant(1e6 * low)} to {significant(1e6 * high)} in a million"
+
+
+def times(value: float) -> str:
+    return significant(value) + " ×"
+
+
+def between(low: float, high: float) -> str:
+    """An interval, with as many places in both ends as the finer one needs."""
+    if not (math.isfinite(low) and math.isfinite(high)):
+        return NONE
+    if low <= 0:
+        return f"{significant(low)} to {significant(high)}"
+    places = max(2 - math.floor(math.log10(low)), 0)
+    if places == 0:
+        return f"{grouped(round(low))} to {grouped(round(high))}"
+    return f"{low:.{places}f} to {high:.{places}f}"
+
+
+def size_in_bytes(value: float) -> str:
+    for unit, size in (("GiB", 2**30), ("MiB", 2**20), ("KiB", 2**10)):
+        if value >= size:
+            return f"{significant(value / size)} {unit}"
+    return f"{significant(value)} B"
+
+
+def listed(words: Sequence[str]) -> str:
+    """a · a and b · a, b and c."""
+    if len(words) <= 1:
+        return "".join(words)
+    return ", ".join(words[:-1]) + " and " + words[-1]
+
+
+def counted(count: int, one: str, many: str | None = None) -> str:
+    """1 shard · 2 shards."""
+    return f"{grouped(count)} {one if count == 1 else (many or one + 's')}"

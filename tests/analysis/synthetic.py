@@ -1,0 +1,363 @@
+"""A made-up run, as large as a real one, for tests and for working on charts.
+
+Nothing in it was measured: the CPU is called synthetic, and the timings and
+error rates are invented so that every section of the report has something to
+show. Run as a program, it writes one:
+
+    python3 -m tests.analysis.synthetic FOLDER
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import random
+import sys
+from pathlib import Path
+from typing import Any
+
+REVISION = "5f17ce7ab1e0" + "0" * 28
+SEED = 20240607
+
+ISA_SPEED = {
+    "scalar": 1.0,
+    "autovec_v2": 3.0,
+    "autovec_v3": 7.0,
+    "autovec_v4": 17.0,
+    "ssse3": 4.6,
+    "sse4": 4.7,
+    "avx2": 11.0,
+    "avx512": 26.0,
+}
+HAS_AUTOVEC = ("cross_product", "edge_function")
+
+
+@dataclasses.dataclass(frozen=True)
+class Invented:
+    """ns/point in scalar f32, wrong answers per point near an edge."""
+
+    ns: float
+    error: float
+    boundary: str = "closed"
+    accepts: str = "triangle"
+    weights: bool = False
+
+
+METHODS = {
+    "cross_product": Invented(1.9, 0.0357),
+    "cross_product_det": Invented(2.0, 0.0358),
+    "cross_product_det_fma": Invented(1.8, 0.0223),
+    "edge_function": Invented(1.6, 0.313),
+    "edge_function_fma": Invented(1.25, 0.216),
+    "barycentric_inverse": Invented(1.7, 0.382, weights=True),
+    "barycentric_determinant": Invented(2.2, 0.103, "half_open", weights=True),
+    "barycentric_determinant_closed": Invented(2.3, 0.1035, weights=True),
+    "uv_projection": Invented(2.6, 0.288, weights=True),
+    "cross_solve": Invented(3.1, 0.0, weights=True),
+    "cross_solve_published": Invented(4.4, 0.34, accepts="third_near_vertex_a"),
+}
+LOOPS = {"one_triangle": 1.0, "one_point": 1.5, "pairs": 1.9}
+
+
+@dataclasses.dataclass(frozen=True)
+class Options:
+    """What of the run differs from the plain one."""
+
+    profile: str = "quick"
+    twin_ratio: float = 1.004
+    clock_after: float = 3.49
+    steal_percent: float = 0.1
+    methods: tuple[str, ...] = tuple(METHODS)
+    isas: tuple[str, ...] = tuple(ISA_SPEED)
+    scalars: tuple[str, ...] = ("f32", "f64")
+    small: bool = False  # one loop, one accuracy scene
+    speed_factor: tuple[tuple[str, float], ...] = ()  # (method, × its time)
+    error_factor: tuple[tuple[str, float], ...] = ()
+    repetitions: int = 9
+    methods_json: bool = True
+
+
+def write_run(folder: Path, options: Options = Options()) -> Path:
+    """Writes the files of a synthetic run into `folder` and returns it."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, document in documents(options).items():
+        text = json.dumps(document, indent=1, sort_keys=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
+
+
+def documents(options: Options = Options()) -> dict[str, Any]:
+    """File name → JSON document of a synthetic run."""
+    files: dict[str, Any] = {"machine.json": machine(options)}
+    if options.methods_json:
+        files["methods.json"] = catalogue(options)
+    loops = ["one_triangle"] if options.small else list(LOOPS)
+    for loop in loops:
+        for scalar in options.scalars:
+            files[f"speed-{loop}-{scalar}.json"] = speed(options, loop, scalar)
+    if not options.small:
+        files["speed-grid-i32.json"] = speed(options, "grid", "i32")
+    for family in ["near_edge"] if options.small else list(ACCURACY):
+        for scalar in options.scalars:
+            name = f"accuracy-{family}-{scalar}.json"
+            files[name] = accuracy(options, family, scalar)
+    return files
+
+
+def machine(options: Options) -> dict[str, Any]:
+    caches = [(1, "Data", 49152), (2, "Unified", 1 << 20), (3, "Unified", 1 << 25)]
+    flags = "-std=c++20 -O3 -DNDEBUG -ffp-contract=off -Wall -Wextra"
+    return {
+        "schema": "pitbench-machine-1",
+        "cpu": {
+            "model": "Synthetic CPU (nothing here was measured)",
+            "microcode": "0x0",
+            "cores": 2,
+            "threads": 2,
+            "smt": None,
+            "governor": None,
+            "virtual": True,
+            "hypervisor": "none",
+            "caches": [
+                {"level": level, "type": kind, "bytes": size, "shared_by": 1}
+                for level, kind, size in caches
+            ],
+            "isas": list(options.isas),
+        },
+        "os": {"kernel": "6.1.0-synthetic", "distribution": "Debian GNU/Linux 12"},
+        "compiler": {
+            "id": "GNU",
+            "version": "12.2.0",
+            "flags": {
+                f"kernels/methods/{method}.cc": {
+                    "scalar": flags + " -fno-tree-vectorize",
+                    "simd": flags,
+                }
+                for method in options.methods
+            },
+        },
+        "libraries": {"highway": "1.0.3", "benchmark": "1.7.1", "eigen": "3.4.0"},
+        "revision": REVISION,
+        "dirty": False,
+        "seed": SEED,
+        "memory_bytes": 8 << 30,
+    }
+
+
+def catalogue(options: Options) -> dict[str, Any]:
+    return {
+        "methods": [
+            {
+                "key": key,
+                "source": "invented",
+                "formula": f"the formula of {key}",
+                "boundary": METHODS[key].boundary,
+                "accepts": METHODS[key].accepts,
+                "fma": key.endswith("_fma"),
+                "weights": METHODS[key].weights,
+            }
+            for key in options.methods
+        ],
+        "isas": [{"name": isa, "runs_here": True} for isa in options.isas],
+        "loops": [*LOOPS, "grid"],
+        "scalars": ["f32", "f64", "i32"],
+        "scenes": [
+            {"name": "uniform", "describes": "points spread evenly"},
+            {"name": "near_edge", "describes": "points beside an edge"},
+        ],
+        "kernels": 321,
+    }
+
+
+def speed_context(options: Options, pattern: str) -> dict[str, Any]:
+    return {
+        "date": "2024-06-07T12:00:00+00:00",
+        "num_cpus": 2,
+        "library_build_type": "debug",
+        "pitbench": {
+            "schema": "pitbench-speed-1",
+            "profile": options.profile,
+            "filter": pattern,
+            "revision": REVISION,
+            "dirty": False,
+            "seed": SEED,
+            "cpu": 1,
+            "clock_before_ghz": 3.5,
+            "clock_after_ghz": options.clock_after,
+            "steal_percent": options.steal_percent,
+            "load_average": 0.7,
+        },
+    }
+
+
+def speed(options: Options, loop: str, scalar: str) -> dict[str, Any]:
+    chance = random.Random(f"{SEED} {loop} {scalar}")
+    rows: list[dict[str, Any]] = []
+    for name, ns, items in timed_cells(options, loop, scalar):
+        if ns is None:
+            rows.append(
+                {
+                    "name": name,
+                    "run_name": name,
+                    "run_type": "iteration",
+                    "error_occurred": True,
+                    "error_message": "17 of 4096 answers differ from truth",
+                }
+            )
+            continue
+        for repetition in range(options.repetitions):
+            noise = 1 + chance.expovariate(150) + 0.004 * chance.random()
+            rows.append(
+                {
+                    "name": name,
+                    "run_name": name,
+                    "run_type": "iteration",
+                    "repetitions": options.repetitions,
+                    "repetition_index": repetition,
+                    "threads": 1,
+                    "iterations": 10000,
+                    "real_time": ns * items * noise,
+                    "cpu_time": ns * items * noise * 0.999,
+                    "time_unit": "ns",
+                    "items_per_second": 1e9 / (ns * noise),
+                    "items": items,
+                    "working_set_bytes": 32768.0,
+                    "bytes_per_item": 8.0 if scalar == "f32" else 16.0,
+                }
+            )
+    chance.shuffle(rows)
+    return {
+        "context": speed_context(options, f"^{loop}/.*/{scalar}/"),
+        "benchmarks": rows,
+    }
+
+
+def timed_cells(
+    options: Options, loop: str, scalar: str
+) -> list[tuple[str, float | None, float]]:
+    """(name, ns per item or None where the cell is refused, items a call)."""
+    if loop == "grid":
+        return [
+            (f"grid/grid_80x50:sets={s}/cross_product/i32/{isa}", 4100.0 / rate, 16.0)
+            for s in ("fresh", "fixed")
+            for isa, rate in ISA_SPEED.items()
+            if isa in options.isas and not isa.startswith("autovec")
+        ]
+    factors = dict(options.speed_factor)
+    cells: list[tuple[str, float | None, float]] = []
+    for key in options.methods:
+        for isa in options.isas:
+            if isa.startswith("autovec") and key not in HAS_AUTOVEC:
+                continue
+            ns = METHODS[key].ns * LOOPS[loop] * factors.get(key, 1.0)
+            ns *= (1.0 if scalar == "f32" else 1.9) / ISA_SPEED[isa]
+            tail = f"{key}/{scalar}/{isa}"
+            scene = "uniform:hit=50:n=4096:sets="
+            for sets in ("fresh", "fixed"):
+                branchy = 4.0 if sets == "fresh" and isa == "scalar" else 1.0
+                cells.append((f"{loop}/{scene}{sets}/{tail}", ns * branchy, 4096.0))
+            if METHODS[key].weights and not isa.startswith("autovec"):
+                name = f"{loop}_weights/{scene}fresh/{tail}"
+                cells.append((name, ns * 1.8, 4096.0))
+    isa, key = options.isas[-1], options.methods[0]
+    twin = f"{loop}/uniform:hit=50:n=4096:sets=fresh/{key}/{scalar}/{isa}/twin"
+    base = next(ns for name, ns, _ in cells if name + "/twin" == twin)
+    assert base is not None
+    cells.append((twin, base * options.twin_ratio, 4096.0))
+    if scalar == "f64" and loop == "pairs":
+        cells = [
+            (name, None if "uv_projection" in name else ns, items)
+            for name, ns, items in cells
+        ]
+    return cells
+
+
+ACCURACY = {
+    "uniform": [("uniform:hit=50:n=4096:sets=fresh", 0.0)],
+    "near_edge": [(f"near_edge:ulps={2**k}", 0.8**k / (1 + k)) for k in range(9)],
+    "needle": [(f"needle:aspect={e}", min(e / 20, 1.0)) for e in range(2, 17, 2)],
+    "offset": [(f"offset:ratio={e}", min(e / 12, 1.0)) for e in range(0, 13, 2)],
+}
+
+
+def accuracy(options: Options, family: str, scalar: str) -> dict[str, Any]:
+    chance = random.Random(f"{SEED} accuracy {family} {scalar}")
+    factors = dict(options.error_factor)
+    cells = []
+    for scene, hardness in ACCURACY[family]:
+        for key in options.methods:
+            rate = min(METHODS[key].error * hardness * factors.get(key, 1.0), 0.9)
+            if METHODS[key].accepts != "triangle":
+                rate = 0.66
+            inside = round(rate * 5000 * (0.9 + 0.2 * chance.random()))
+            cells += [
+                accuracy_cell(scene, key, scalar, isa, min(inside, 4800))
+                for isa in options.isas
+                if not isa.startswith("autovec") or key in HAS_AUTOVEC
+            ]
+    return {
+        "context": {
+            "schema": "pitbench-accuracy-1",
+            "profile": options.profile,
+            "filter": f"{family}.*/{scalar}/",
+            "revision": REVISION,
+            "dirty": False,
+            "seed": SEED,
+        },
+        "cells": cells,
+    }
+
+
+def accuracy_cell(
+    scene: str, key: str, scalar: str, isa: str, wrong: int
+) -> dict[str, Any]:
+    """A cell of 10 000 points; 80 of them on the boundary, 20 degenerate."""
+    share = {"low": 0.0, "high": 1.0}  # analysis computes its own intervals
+    closed = METHODS[key].boundary == "closed"
+    return {
+        "name": f"one_triangle/{scene}/{key}/{scalar}/{isa}",
+        "loop": "one_triangle",
+        "scene": scene,
+        "method": key,
+        "scalar": scalar,
+        "isa": isa,
+        "boundary_rule": METHODS[key].boundary,
+        "accepts": METHODS[key].accepts,
+        "points": 10000,
+        "interior": 4900,
+        "exterior": 5000,
+        "boundary": 80,
+        "degenerate": 20,
+        "false_outside": {"count": wrong // 3, "of": 4900, **share},
+        "false_inside": {"count": wrong - wrong // 3, "of": 5020, **share},
+        "boundary_accepted": {"count": 80 if closed else 40, "of": 80, **share},
+        "error_distance_ulps": {"smallest": 0.5, "largest": 9.5} if wrong else None,
+        "worst": (
+            [
+                {
+                    "kind": "false_inside",
+                    "distance_ulps": 9.5,
+                    "a": ["0x0p+0", "0x0p+0"],
+                    "b": ["0x1p+0", "0x0p+0"],
+                    "c": ["0x1p+0", "0x1p-13"],
+                    "p": ["0x1.8p-1", "0x1p-15"],
+                }
+            ]
+            if wrong
+            else []
+        ),
+        "weights": (
+            {
+                "largest_ulps": 812.5,
+                "mean_ulps": 0.7,
+                "not_finite": 0,
+                "points": 9980,
+            }
+            if METHODS[key].weights
+            else None
+        ),
+    }
+
+
+if __name__ == "__main__":
+    print(write_run(Path(sys.argv[1])))
