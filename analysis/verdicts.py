@@ -142,5 +142,7 @@ def _on_frontier(row: pd.Series, whole: pd.DataFrame) -> str:
     if rightest:
         return f"{errs}; whatever is faster errs more"
     least = whole["error_rate"].min()
-    worse = f" ({times(row['error_rate'] / least)} the least error rate)" * (least > 0)
-    return f"on the frontier: whatever is faster errs more{worse}"
+    if least == 0:
+        return "on the frontier: whatever is faster errs more"
+    ratio = times(row["error_rate"] / least)
+    return f"on the frontier: whatever is faster errs more ({ratio} the least)"

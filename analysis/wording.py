@@ -80,6 +80,11 @@ def size_in_bytes(value: float) -> str:
     return f"{significant(value)} B"
 
 
+def power_of_two(exponent: float) -> str:
+    """-12 → 2⁻¹², with the digits that stand above the line."""
+    return "2" + f"{exponent:g}".translate(str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"))
+
+
 def listed(words: Sequence[str]) -> str:
     """a · a and b · a, b and c."""
     if len(words) <= 1:
