@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import signal
+import time
 
 from tests.sweep.fake_sweep import SHARDS, FakeSweep
 
@@ -113,7 +114,7 @@ def test_killed_in_a_shard_the_next_start_completes(fake: FakeSweep) -> None:
 
 def test_killed_alone_it_takes_its_shard_along(fake: FakeSweep) -> None:
     """An orphan would go on timing beside whatever runs next."""
-    fake.plan["seconds"] = {"speed-a": 3}
+    fake.plan["seconds"] = {"speed-a": 2}
     child = fake.start()
     fake.wait_for("start", "speed-a")
     child.kill()
@@ -122,6 +123,7 @@ def test_killed_alone_it_takes_its_shard_along(fake: FakeSweep) -> None:
     code, _, errors = fake.run()
     assert (code, errors) == (0, "")
     assert fake.results() == ALL
+    time.sleep(2)  # an orphan would have ended by now
     ended = [name for event, name, _ in fake.log() if event == "end"]
     assert ended.count("speed-a") == 1
 
