@@ -20,7 +20,7 @@ from analysis.chart_frame import (
     style,
     ticks_at,
 )
-from analysis.wording import listed, power_of_two, share
+from analysis.wording import listed, plain, power_of_two, share
 
 
 @dataclasses.dataclass(frozen=True)
@@ -111,7 +111,7 @@ def _panel(axes: Any, table: pd.DataFrame, hardness: Hardness, rates: RateAxis) 
         )
     values = sorted(table["at"].unique())
     shown = values[:: max(1, -(-len(values) // 8))]
-    name: Callable[[float], str] = power_of_two if hardness.is_power else _plain
+    name: Callable[[float], str] = power_of_two if hardness.is_power else plain
     names = {place(value): name(value) for value in shown}
     ticks_at(axes.xaxis, lambda position: names.get(position, ""), list(names))
     axes.set_xlabel(f"{hardness.axis} (log scale)", fontsize=8.5)
@@ -205,7 +205,3 @@ def _extremes(table: pd.DataFrame) -> str:
         )
         + "."
     )
-
-
-def _plain(value: float) -> str:
-    return f"{value:g}"

@@ -6,7 +6,7 @@ import math
 
 import pandas as pd
 
-from analysis.palette import loop_rank
+from analysis.palette import isa_rank, loop_rank
 from analysis.stats import pareto_frontier, wilson
 from analysis.tables import CELL_KEYS, parameter, reference_cells, sort_cells
 
@@ -144,6 +144,23 @@ def weights_accuracy(accuracy: pd.DataFrame) -> pd.DataFrame:
     return sort_cells(
         pd.DataFrame(rows, columns=columns), ["family", "scalar", "method"]
     )
+
+
+def worst_answers(worst: pd.DataFrame) -> pd.DataFrame:
+    """Each wrong answer once, farthest from the boundary first, with the ISAs
+    that gave it.
+    """
+    keys = ["method", "scalar", "kind", "distance_ulps", "a", "b", "c", "p"]
+    keys += ["loop", "scene"]
+    once = (
+        worst.groupby(keys, sort=True)["isa"]
+        .agg(lambda isas: ", ".join(sorted(isas, key=isa_rank)))
+        .reset_index()
+    )
+    order = ["distance_ulps", "method", "scalar", "scene", "kind", "p"]
+    return once.sort_values(
+        order, ascending=[False, *[True] * (len(order) - 1)]
+    ).reset_index(drop=True)
 
 
 def hardest(

@@ -74,7 +74,7 @@ def finish(figure: Any, key: str, title: str, alt: str, footer: str) -> Chart:
     """
     width, height = figure.get_size_inches()
     figure.suptitle(
-        textwrap.fill(title, round(9.4 * width)),
+        textwrap.fill(title, round(10.1 * width)),
         x=0.012,
         y=1 - 0.1 / height,
         ha="left",

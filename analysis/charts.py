@@ -215,14 +215,18 @@ def scaling(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
         widest = widest.sort_values("times_scalar").groupby("method").tail(1)
         title = (
             f"By instruction set, {scalar}: the best rows are "
-            f"{significant(widest['times_scalar'].min())} to "
-            f"{significant(widest['times_scalar'].max())} times as fast as scalar code"
+            f"{_range(widest['times_scalar'])} times as fast as scalar code"
         )
         alt = f"{title}. " + " ".join(
             f"{row.method}: {times(row.times_scalar)} on {row.isa}."
             for row in widest.sort_values("times_scalar", ascending=False).itertuples()
         )
         return finish(figure, f"scaling-{scalar}", title, alt, footer)
+
+
+def _range(values: pd.Series) -> str:
+    low, high = significant(values.min()), significant(values.max())
+    return low if low == high else f"{low} to {high}"
 
 
 def _scaling_panel(

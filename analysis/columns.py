@@ -38,11 +38,31 @@ def with_interval(key: str, title: str, hint: str = "") -> Column:
     """A ratio and its interval in one column."""
 
     def show(row: Row) -> str:
-        if row[key] != row[key]:
-            return wording.NONE
-        return f"{significant(row[key])} ({between(row[f'{key}_low'], row[f'{key}_high'])})"
+        return wording.with_interval(row[key], row[f"{key}_low"], row[f"{key}_high"])
 
     return Column(title, show, sort=key, hint=hint)
+
+
+def above_interval(key: str, title: str, hint: str = "95 % interval below") -> Column:
+    """A number, and its interval as a note below it."""
+
+    def note(row: Row) -> str:
+        low, high = row[f"{key}_low"], row[f"{key}_high"]
+        return "" if low == high else between(low, high)
+
+    return Column(title, lambda row: significant(row[key]), note, key, hint=hint)
+
+
+def rate_above_interval(key: str, title: str) -> Column:
+    """A share, and its Wilson interval as a note below it."""
+
+    def note(row: Row) -> str:
+        if row[key] != row[key]:
+            return ""
+        return share_between(row[f"{key}_low"], row[f"{key}_high"])
+
+    hint = "Wilson interval, 95 %, below"
+    return Column(title, lambda row: share(row[key]), note, key, hint=hint)
 
 
 def rate(key: str, title: str, hint: str = "") -> Column:
@@ -110,26 +130,12 @@ ACCURACY = (
 )
 VERDICTS = (
     word("method", "method"),
-    number("ns", "ns/point"),
-    interval("ns", "interval"),
-    with_interval("time_over_best", "× the fastest"),
-    rate_with_interval("error_rate", "errors near an edge"),
+    above_interval("ns", "ns/point"),
+    above_interval("time_over_best", "× the fastest"),
+    rate_above_interval("error_rate", "errors near an edge"),
     rate("worst_needle", "needles, worst"),
     rate("worst_offset", "far away, worst"),
     word("verdict", "verdict"),
-)
-README_VERDICTS = VERDICTS[:2] + VERDICTS[3:4] + VERDICTS[4:]
-HERO = (
-    word("method", "method"),
-    word("isa", "ISA"),
-    number("ns", "ns/point"),
-    items("points/s"),
-    rate_with_interval("error_rate", "errors near an edge"),
-    Column(
-        "on the frontier",
-        lambda row: "yes" if row["on_frontier"] else "",
-        numeric=False,
-    ),
 )
 FIXED = (
     *PLACE,
@@ -189,12 +195,15 @@ SHARDS = (
     ),
 )
 WORST = (
-    *PLACE,
+    word("method", "method"),
+    word("scalar", "scalar"),
     word("kind", "answer"),
     number("distance_ulps", "ulps from the boundary"),
+    word("scene", "scene"),
     word("a", "a"),
     word("b", "b"),
     word("c", "c"),
     word("p", "p"),
+    word("isa", "ISAs"),
 )
 FLAGS = (word("source", "source"), word("isas", "for"), word("flags", "flags"))

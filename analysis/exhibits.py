@@ -20,6 +20,7 @@ class Column:
 
     title: str
     show: Callable[[Any], str]
+    note: Callable[[Any], str] | None = None  # a second, smaller line
     sort: str | None = None
     numeric: bool = True
     hint: str = ""
@@ -29,6 +30,7 @@ class Column:
 class ShownCell:
     text: str
     sort: str  # what the page's script compares; empty: nothing is known
+    note: str = ""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -102,11 +104,12 @@ class Exhibits:
 
 def _shown(column: Column, row: dict[str, Any]) -> ShownCell:
     text = column.show(row)
+    note = column.note(row) if column.note else ""
     if not column.numeric:
-        return ShownCell(text, text)
+        return ShownCell(text, text, note)
     value = row[column.sort] if column.sort else math.nan
     known = isinstance(value, (int, float)) and math.isfinite(value)
-    return ShownCell(text, f"{value:.9g}" if known else "")
+    return ShownCell(text, f"{value:.9g}" if known else "", note)
 
 
 def csv_text(data: pd.DataFrame) -> str:

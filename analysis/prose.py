@@ -7,6 +7,7 @@ name, word of rank and verdict comes from the run's tables.
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,21 +15,26 @@ import pandas as pd
 
 from analysis import columns, palette
 from analysis.cells import parse_scene
+from analysis.accuracy_charts import HARDNESSES, Hardness
+from analysis.accuracy_tables import errors_along
+from analysis.exhibits import Column
 from analysis.noise import TOLERANCE
 from analysis.report import MAIN_LOOP, Report, short_revision
 from analysis.run import Machine
-from analysis.tables import reference_cells
+from analysis.tables import reference_cells, widest_isa
 from analysis.verdicts import WHOLE
 from analysis.wording import (
     between,
     counted,
     listed,
     nanoseconds,
-    rate_of_items,
+    plain,
+    power_of_two,
     share,
     share_between,
     significant,
     size_in_bytes,
+    spoken,
     times,
 )
 
@@ -64,14 +70,15 @@ def facts(report: Report) -> dict[str, Any]:
         "advice": advice(report),
         "uniform": uniform(report),
         "near_edge": near_edge(report),
+        "hard": {h.family: hard(report, h) for h in HARDNESSES},
         "scaling": scaling(report),
         "autovec": autovec(report),
         "agreement": agreement(report),
         "fma": fma(report),
         "shards": run.shards,
-        "readme_columns": [column.title for column in columns.README_VERDICTS],
-        "readme_rows": [
-            [column.show(row) for column in columns.README_VERDICTS]
+        "verdict_columns": [column.title for column in columns.VERDICTS],
+        "verdict_rows": [
+            [_with_note(column, row) for column in columns.VERDICTS]
             for row in report.verdicts.to_dict("records")
         ],
     }
@@ -90,7 +97,7 @@ def advice(report: Report) -> dict[str, Any] | None:
             "method": method,
             "ns": nanoseconds(row["ns"]),
             "interval": between(row["ns_low"], row["ns_high"]),
-            "points": rate_of_items(row["items_per_second"]),
+            "points": spoken(row["items_per_second"]),
             "errors": share(row["error_rate"]),
             "errors_interval": share_between(
                 row["error_rate_low"], row["error_rate_high"]
@@ -142,6 +149,34 @@ def near_edge(report: Report) -> dict[str, str] | None:
         "scenes": counted(rows["scene"].nunique(), "scene"),
         "distances": listed([f"{value:g}" for value in distances]),
         "points": counted(int(per_cell.max()), "point"),
+    }
+
+
+def hard(report: Report, hardness: Hardness) -> dict[str, Any] | None:
+    """Which methods err most and least along a family of scenes."""
+    along = errors_along(
+        report.run.accuracy,
+        hardness.family,
+        hardness.key,
+        report.scalar,
+        str(widest_isa(report.run.accuracy)),
+    )
+    along = along[along["accepts"] == WHOLE] if len(along) else along
+    if not len(along):
+        return None
+    worst = along.groupby("method")["error_rate"].max()
+    top = along.loc[along["error_rate"].idxmax()]
+    clean = sorted(worst[worst == 0].index, key=palette.method_rank)
+    value: Callable[[float], str] = power_of_two if hardness.is_power else plain
+    return {
+        "most_method": top["method"],
+        "most": share(top["error_rate"]),
+        "most_at": value(top["at"]),
+        "methods": len(worst),
+        "clean": listed(clean),
+        "clean_count": len(clean),
+        "first": value(along["at"].min()),
+        "last": value(along["at"].max()),
     }
 
 
@@ -217,16 +252,16 @@ def fma(report: Report) -> list[dict[str, str]]:
     for method in rows.index:
         fused = f"{method}_fma"
         if fused in rows.index:
-            plain, other = rows.loc[method], rows.loc[fused]
+            unfused, other = rows.loc[method], rows.loc[fused]
             found.append(
                 {
                     "method": method,
                     "fused": fused,
-                    "time": significant(other["ns"] / plain["ns"]),
-                    "plain_errors": share(plain["error_rate"]),
+                    "time": significant(other["ns"] / unfused["ns"]),
+                    "plain_errors": share(unfused["error_rate"]),
                     "errors": share(other["error_rate"]),
-                    "inside": _change(plain, other, "false_inside"),
-                    "outside": _change(plain, other, "false_outside"),
+                    "inside": _change(unfused, other, "false_inside"),
+                    "outside": _change(unfused, other, "false_outside"),
                 }
             )
     return found
@@ -280,6 +315,11 @@ def scene_words(scene: str | None) -> str:
     if parsed.get("hit"):
         parts.append(f"{parsed.get('hit')} % of them inside")
     return ", ".join(parts)
+
+
+def _with_note(column: Column, row: dict[str, Any]) -> str:
+    note = column.note(row) if column.note else ""
+    return column.show(row) + (f" ({note})" if note else "")
 
 
 def _repetitions(report: Report) -> str:

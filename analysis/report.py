@@ -17,6 +17,7 @@ from analysis.verdicts import Advice, advise, verdicts
 
 # The page stays below its 5 MB whatever the profile; the CSV has every row.
 MOST_ROWS = 1500
+MOST_WORST = 60
 
 MAIN_LOOP = "one_triangle"
 
@@ -58,6 +59,7 @@ def build(run: Run) -> Report:
         )
     _add_scaling(exhibits, cells, scalars, footer)
     _add_errors(exhibits, run, cells, scalars, footer)
+    _add_worst(exhibits, run)
     _add_fixed(exhibits, run, cells, scalar, footer)
     _add_loops(exhibits, cells, scalar, footer)
     _add_grid_and_weights(exhibits, run, cells)
@@ -160,6 +162,19 @@ def _add_errors(
             )
 
 
+def _add_worst(exhibits: Exhibits, run: Run) -> None:
+    worst = accuracy_tables.worst_answers(run.worst)
+    if len(worst):
+        exhibits.table(
+            "worst",
+            "The wrong answers farthest from the boundary. The coordinates can be "
+            "given as they are to pitbench classify.",
+            worst,
+            columns.WORST,
+            MOST_WORST,
+        )
+
+
 def _add_fixed(
     exhibits: Exhibits, run: Run, cells: pd.DataFrame, scalar: str, footer: str
 ) -> None:
@@ -243,18 +258,6 @@ def _add_whole_tables(exhibits: Exhibits, run: Run, cells: pd.DataFrame) -> None
         columns.ACCURACY,
         MOST_ROWS,
     )
-    if len(run.worst):
-        worst = run.worst.sort_values(
-            ["distance_ulps", "name", "kind", "p"], ascending=[False, True, True, True]
-        ).reset_index(drop=True)
-        exhibits.table(
-            "worst",
-            "The wrong answers farthest from the boundary, as hex floats that can be "
-            "given to `pitbench classify`.",
-            worst,
-            columns.WORST,
-            60,
-        )
     if len(run.refused):
         exhibits.table(
             "refused",

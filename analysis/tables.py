@@ -100,6 +100,8 @@ def _ratio(
     """NaN where one of the two was not timed in this shard."""
     if top is None or bottom is None:
         values = (math.nan, math.nan, math.nan)
+    elif top is bottom:  # a cell over itself
+        values = (1.0, 1.0, 1.0)
     else:
         values = ratio_interval(top, bottom)[:3]
     return dict(zip((column, f"{column}_low", f"{column}_high"), values))

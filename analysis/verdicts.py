@@ -11,7 +11,7 @@ import pandas as pd
 from analysis.accuracy_tables import hardest, speed_against_error
 from analysis.accuracy_charts import HARDNESSES
 from analysis.palette import method_rank
-from analysis.stats import ratio_interval
+from analysis.stats import Interval, ratio_interval
 from analysis.tables import samples, widest_isa
 from analysis.wording import share, times
 
@@ -47,10 +47,11 @@ def verdicts(
     by_cell = samples(speed)
     fastest = _fastest(rows)
     base = by_cell[fastest["shard"], fastest["name"]]
-    ratios = [
-        ratio_interval(by_cell[row.shard, row.name_], base)
-        for row in rows.rename(columns={"name": "name_"}).itertuples()
-    ]
+    ratios = []
+    for _, row in rows.iterrows():
+        own = by_cell[row["shard"], row["name"]]
+        itself = Interval(1.0, 1.0, 1.0, 1.0)
+        ratios.append(itself if own is base else ratio_interval(own, base))
     extra = {
         f"worst_{hardness.family}": rows["method"].map(
             hardest(accuracy, hardness.family, hardness.key, scalar, str(isa))
@@ -99,7 +100,7 @@ def _verdict(row: pd.Series, table: pd.DataFrame) -> str:
         refused = row["false_outside"] / max(row["interior"], 1)
         return (
             "decides another question: only the third of the triangle nearest to "
-            f"vertex A, and so refuses {share(refused)} of the points inside"
+            f"vertex A, and so refuses {share(refused)} of the points inside here"
         )
     whole = table[(table["accepts"] == WHOLE) & table["error_rate"].notna()]
     better = whole[

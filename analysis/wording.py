@@ -23,7 +23,9 @@ def significant(value: float, digits: int = 3) -> str:
 
 
 def grouped(value: int) -> str:
-    """1234567 → 1 234 567, with spaces that do not break."""
+    """1234567 → 1 234 567, with spaces that do not break; 4096 stays whole."""
+    if abs(value) < 10_000:
+        return str(value)
     return f"{value:,}".replace(",", "\u202f")
 
 
@@ -73,11 +75,37 @@ def between(low: float, high: float) -> str:
     return f"{low:.{places}f} to {high:.{places}f}"
 
 
+def with_interval(value: float, low: float, high: float) -> str:
+    """2.477 in [2.468, 2.499] → 2.48 (2.47 to 2.50); a ratio of a thing to
+    itself, which has no interval, as it is.
+    """
+    if not math.isfinite(value):
+        return NONE
+    if low == high:
+        return significant(value, 1)
+    places = max(2 - math.floor(math.log10(low)), 0) if low > 0 else 2
+    ends = between(low, high)
+    return f"{significant(value) if places == 0 else f'{value:.{places}f}'} ({ends})"
+
+
+def spoken(count: float) -> str:
+    """20.7e9 → 20.7 billion."""
+    for word, size in (("billion", 1e9), ("million", 1e6)):
+        if count >= size:
+            return f"{significant(count / size)} {word}"
+    return grouped(round(count))
+
+
 def size_in_bytes(value: float) -> str:
     for unit, size in (("GiB", 2**30), ("MiB", 2**20), ("KiB", 2**10)):
         if value >= size:
             return f"{significant(value / size)} {unit}"
     return f"{significant(value)} B"
+
+
+def plain(value: float) -> str:
+    """A parameter of a scene as it was written: 4, 0.5."""
+    return f"{value:g}"
 
 
 def power_of_two(exponent: float) -> str:

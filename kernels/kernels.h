@@ -146,6 +146,7 @@ std::string_view Name(Isa isa);
 // "one_triangle", or "one_triangle_weights" for a kernel that writes weights.
 std::string_view Name(Loop loop, Output output = Output::kInside);
 std::string_view Name(Boundary boundary);
+std::string_view Name(Accepts accepts);
 
 }  // namespace pitbench
 

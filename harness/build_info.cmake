@@ -1,0 +1,65 @@
+# Writes OUT: the revision that is being built and the flags of every kernel
+# file, as harness/measure/machine.cc includes them. Run at every build; the
+# file is only touched when something changed.
+#   cmake -D SOURCE=… -D COMMANDS=compile_commands.json -D OUT=… -P this file
+set(REVISION "unknown")
+set(DIRTY false)
+find_program(GIT git)
+if(GIT AND EXISTS ${SOURCE}/.git)
+  execute_process(COMMAND ${GIT} -C ${SOURCE} rev-parse HEAD
+    OUTPUT_VARIABLE HEAD OUTPUT_STRIP_TRAILING_WHITESPACE
+    RESULT_VARIABLE FAILED ERROR_QUIET)
+  if(NOT FAILED)
+    set(REVISION ${HEAD})
+    # README.md and the pictures it shows are written from a run: they differ
+    # after every measurement and change nothing that is measured.
+    execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain
+        --untracked-files=no -- . ":!README.md" ":!report/readme"
+      OUTPUT_VARIABLE CHANGES ERROR_QUIET)
+    if(CHANGES)
+      set(DIRTY true)
+    endif()
+  endif()
+endif()
+
+# The flags say how a file is compiled, not where: no paths, no file names.
+file(READ ${COMMANDS} JSON)
+string(JSON COUNT LENGTH "${JSON}")
+math(EXPR LAST "${COUNT} - 1")
+set(FLAGS "")
+foreach(K RANGE ${LAST})
+  string(JSON FILE GET "${JSON}" ${K} file)
+  string(JSON LINE GET "${JSON}" ${K} command)
+  if(NOT LINE MATCHES "kernels_([a-z0-9_]+)\\.dir")
+    continue()
+  endif()
+  set(SET ${CMAKE_MATCH_1})
+  cmake_path(RELATIVE_PATH FILE BASE_DIRECTORY ${SOURCE})
+  separate_arguments(WORDS UNIX_COMMAND "${LINE}")
+  set(LINE "")
+  set(SKIP FALSE)
+  foreach(WORD ${WORDS})
+    if(SKIP)
+      set(SKIP FALSE)
+    elseif(WORD MATCHES "^(-o|-c|-isystem)$")
+      set(SKIP TRUE)
+    elseif(WORD MATCHES "^-" AND NOT WORD MATCHES "^(-I|-isystem)")
+      string(APPEND LINE " ${WORD}")
+    endif()
+  endforeach()
+  string(STRIP "${LINE}" LINE)
+  string(APPEND FLAGS "    {\"${FILE}\", \"${SET}\", \"${LINE}\"},\n")
+endforeach()
+
+set(TEXT "constexpr char kRevision[] = \"${REVISION}\";
+constexpr bool kDirty = ${DIRTY};
+constexpr KernelFlags kFlags[] = {
+${FLAGS}};
+")
+set(OLD "")
+if(EXISTS ${OUT})
+  file(READ ${OUT} OLD)
+endif()
+if(NOT OLD STREQUAL TEXT)
+  file(WRITE ${OUT} "${TEXT}")
+endif()

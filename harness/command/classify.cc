@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "harness/command/commands.h"
+#include "harness/input/csv.h"
+#include "harness/input/nearest.h"
+#include "harness/scenes/scene.h"
+
+namespace pitbench {
+namespace {
+
+constexpr std::array<std::string_view, 8> kHeader = {"ax", "ay", "bx", "by",
+                                                     "cx", "cy", "px", "py"};
+
+// `name` if it is one of `names`, else InputError with the nearest of them.
+void Require(std::string_view kind, std::string_view name,
+             const std::vector<std::string_view>& names) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    throw InputError(NoSuch(kind, name, names));
+  }
+}
+
+// The kernel of loop pairs for a method and scalar: on `isa`, or on the widest
+// that runs here if that is empty.
+const Kernel& FindKernel(const std::string& method, Scalar scalar,
+                         const std::string& isa) {
+  std::vector<std::string_view> methods = {"truth"};
+  std::vector<std::string_view> isas;
+  const Kernel* found = nullptr;
+  for (const Kernel& kernel : AllKernels()) {
+    methods.push_back(kernel.method.key);
+    isas.push_back(Name(kernel.isa));
+    if (kernel.method.key == method && kernel.scalar == scalar &&
+        kernel.loop == Loop::kPairs && kernel.output == Output::kInside &&
+        (isa.empty() ? RunsHere(kernel.isa) : Name(kernel.isa) == isa)) {
+      if (found == nullptr || kernel.isa > found->isa) found = &kernel;
+    }
+  }
+  Require("method", method, methods);
+  if (!isa.empty()) Require("ISA", isa, isas);
+  if (found == nullptr) {
+    throw InputError("method '" + method + "' is not compiled for ISA '" + isa +
+                     "': see pitbench list");
+  }
+  if (!RunsHere(found->isa)) {
+    throw InputError("ISA '" + isa +
+                     "' does not run on this CPU: see pitbench list");
+  }
+  return *found;
+}
+
+template <class T>
+std::string ClassifyRows(const Kernel* kernel, const std::string& path) {
+  const Table<T> table = ReadCsv<T>(path, kHeader);
+  if (table.rows == 0) {
+    throw InputError((path == "-" ? "standard input" : path) +
+                     ": no cases after the header: give one case a line");
+  }
+  const auto& c = table.columns;
+  std::string words;
+  if (kernel == nullptr) {
+    for (std::size_t i = 0; i < table.rows; ++i) {
+      const Triangle<T> triangle{
+          {c[0][i], c[1][i]}, {c[2][i], c[3][i]}, {c[4][i], c[5][i]}};
+      words.append(Name(Classify(triangle, Point<T>{c[6][i], c[7][i]})));
+      words.push_back('\n');
+    }
+    return words;
+  }
+  const Batch<T> batch{c[0].data(), c[1].data(), c[2].data(),
+                       c[3].data(), c[4].data(), c[5].data(),
+                       c[6].data(), c[7].data(), table.rows};
+  std::vector<std::uint8_t> bits(BitBytes(table.rows));
+  FunctionOf<T> (*kernel)(batch, Result<T>{.bits = bits.data()});
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    words.append((bits[i / 8] >> (i % 8) & 1) != 0 ? "inside\n" : "outside\n");
+  }
+  return words;
+}
+
+}  // namespace
+
+void AddClassify(CLI::App& app) {
+  struct Arguments {
+    std::string method;
+    std::string isa;
+    std::string scalar = "f64";
+    std::string file;
+  };
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* classify = app.add_subcommand(
+      "classify",
+      "One word a line for each case of a CSV file with the header\n"
+      "ax,ay,bx,by,cx,cy,px,py (decimal or hexadecimal floats): inside or\n"
+      "outside, and for --method truth also boundary or degenerate");
+  classify->add_option("--method", a->method, "a method, or truth")->required();
+  classify->add_option("--isa", a->isa,
+                       "an ISA; the widest that runs here unless given");
+  classify->add_option("--scalar", a->scalar, "f32 or f64")
+      ->capture_default_str();
+  classify->add_option("FILE", a->file, "the cases; - for standard input")
+      ->required();
+  classify->callback([a] {
+    Require("scalar", a->scalar, {"f32", "f64"});
+    const Scalar scalar = a->scalar == "f32" ? Scalar::kF32 : Scalar::kF64;
+    const bool truth = a->method == "truth";
+    if (truth && !a->isa.empty()) {
+      throw InputError(
+          "--isa goes with a method, not with truth: leave it out");
+    }
+    const Kernel* kernel =
+        truth ? nullptr : &FindKernel(a->method, scalar, a->isa);
+    // All words or none: a bad line is an error before the first is printed.
+    std::cout << (scalar == Scalar::kF32
+                      ? ClassifyRows<float>(kernel, a->file)
+                      : ClassifyRows<double>(kernel, a->file))
+              << std::flush;
+    if (!std::cout) throw InputError("cannot write to standard output");
+  });
+}
+
+}  // namespace pitbench

@@ -1,0 +1,16 @@
+// The subcommands of pitbench. Each adds itself to the command line and throws
+// InputError or SceneError for what its caller got wrong.
+#ifndef PITBENCH_HARNESS_COMMAND_COMMANDS_H_
+#define PITBENCH_HARNESS_COMMAND_COMMANDS_H_
+
+#include <CLI/CLI.hpp>
+
+namespace pitbench {
+
+void AddList(CLI::App& app);      // list
+void AddClassify(CLI::App& app);  // classify
+void AddMeasure(CLI::App& app);   // speed, accuracy, machine, shards
+
+}  // namespace pitbench
+
+#endif  // PITBENCH_HARNESS_COMMAND_COMMANDS_H_

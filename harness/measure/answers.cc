@@ -1,0 +1,214 @@
+#include "harness/measure/answers.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "harness/truth/weights.h"
+
+namespace pitbench {
+namespace {
+
+void SetBit(Bits& bits, std::size_t i) {
+  bits[i / 8] = static_cast<std::uint8_t>(bits[i / 8] | 1u << (i % 8));
+}
+
+// How much nearer to B or C than to A the point is, as a weight: positive
+// where cross_solve_published must say outside, negative where the point is in
+// the third of the triangle that it accepts.
+template <class T>
+double BeyondThirdNearA(const Triangle<T>& t, const Point<T>& p) {
+  const std::array<mpq_class, 3> w = ExactWeights(t, p);
+  const mpq_class beyond = std::max(w[1], w[2]) - w[0];
+  return beyond.get_d();
+}
+
+template <class T>
+std::string Describe(const Scene<T>& scene, const Wrong& wrong) {
+  const Call& call = scene.calls[wrong.call];
+  const Triangle<T> t = scene.TriangleOf(call, wrong.answer);
+  const Point<T> p = scene.PointOf(call, wrong.answer);
+  char text[400];
+  std::snprintf(text, sizeof(text),
+                "says %s of (%a, %a) in (%a, %a) (%a, %a) (%a, %a), which is "
+                "%s, and rounding cannot be why",
+                wrong.said_inside ? "inside" : "outside",
+                static_cast<double>(p.x), static_cast<double>(p.y),
+                static_cast<double>(t.a.x), static_cast<double>(t.a.y),
+                static_cast<double>(t.b.x), static_cast<double>(t.b.y),
+                static_cast<double>(t.c.x), static_cast<double>(t.c.y),
+                std::string(Name(Classify(t, p))).c_str());
+  return text;
+}
+
+// Whether the method declares that it may give this wrong answer.
+template <class T>
+bool Declared(const Kernel& kernel, const Scene<T>& scene, const Wrong& wrong) {
+  const Call& call = scene.calls[wrong.call];
+  const Triangle<T> t = scene.TriangleOf(call, wrong.answer);
+  const Point<T> p = scene.PointOf(call, wrong.answer);
+  if (kernel.method.accepts == Accepts::kThirdNearVertexA &&
+      !wrong.said_inside && BeyondThirdNearA(t, p) > 0) {
+    return true;
+  }
+  return RoundingMayDecide(t, p, kSlack);
+}
+
+// How far weights may be off: kSlack·u·(M/h)², as RoundingMayDecide has it.
+template <class T>
+double WeightTolerance(const Triangle<T>& t, const Point<T>& p) {
+  double largest = 0;
+  double longest = 0;
+  const Point<T> vertices[] = {t.a, t.b, t.c};
+  for (int k = 0; k < 3; ++k) {
+    const Point<T>& v = vertices[k];
+    const Point<T>& w = vertices[(k + 1) % 3];
+    for (const T x : {v.x, v.y, p.x, p.y}) {
+      largest = std::max(largest, std::abs(static_cast<double>(x)));
+    }
+    longest = std::max(
+        longest,
+        std::hypot(static_cast<double>(w.x) - static_cast<double>(v.x),
+                   static_cast<double>(w.y) - static_cast<double>(v.y)));
+  }
+  const double double_area =
+      std::abs((static_cast<double>(t.b.x) - static_cast<double>(t.a.x)) *
+                   (static_cast<double>(t.c.y) - static_cast<double>(t.a.y)) -
+               (static_cast<double>(t.b.y) - static_cast<double>(t.a.y)) *
+                   (static_cast<double>(t.c.x) - static_cast<double>(t.a.x)));
+  const double altitude = double_area / longest;
+  const double unit =
+      static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
+  return kSlack * unit * (largest / altitude) * (largest / altitude);
+}
+
+// The first wrong weight among the first answers of each call, if any.
+template <class T>
+std::optional<std::string> WrongWeights(const Scene<T>& scene,
+                                        const Answers<T>& answers) {
+  constexpr std::size_t kChecked = 2000;  // weights are slow to know exactly
+  std::size_t checked = 0;
+  for (std::size_t c = 0; c < scene.calls.size() && checked < kChecked; ++c) {
+    const Call& call = scene.calls[c];
+    const std::size_t some = kChecked / scene.calls.size() + 1;
+    for (std::size_t i = 0; i < std::min(call.n, some); ++i, ++checked) {
+      const Triangle<T> t = scene.TriangleOf(call, i);
+      const Point<T> p = scene.PointOf(call, i);
+      if (Classify(t, p) == Position::kDegenerate) continue;
+      const std::array<mpq_class, 3> exact = ExactWeights(t, p);
+      const double tolerance = WeightTolerance(t, p);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double error = std::abs(
+            static_cast<double>(answers.weights[k][c][i]) - exact[k].get_d());
+        if (!(error <= tolerance * std::max(1.0, std::abs(exact[k].get_d())))) {
+          return "weight " + std::to_string(k) + " of answer " +
+                 std::to_string(i) + " is off by " + std::to_string(error);
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <class T>
+SceneTruth JudgeScene(const Scene<T>& scene) {
+  SceneTruth truth;
+  for (const Call& call : scene.calls) {
+    CallTruth& judged = truth.calls.emplace_back();
+    judged.inside.resize(scene.OutputBytes(call));
+    judged.boundary.resize(scene.OutputBytes(call));
+    for (std::size_t i = 0; i < scene.Answers(call); ++i) {
+      switch (Classify(scene.TriangleOf(call, i), scene.PointOf(call, i))) {
+        case Position::kInside:
+          SetBit(judged.inside, scene.BitOf(i));
+          ++truth.interior;
+          break;
+        case Position::kBoundary:
+          SetBit(judged.boundary, scene.BitOf(i));
+          ++truth.boundary;
+          break;
+        case Position::kOutside:
+          ++truth.exterior;
+          break;
+        case Position::kDegenerate:
+          ++truth.degenerate;
+          break;
+      }
+    }
+  }
+  return truth;
+}
+
+template <class T>
+Answers<T> Ask(const Kernel& kernel, const Scene<T>& scene,
+               const SceneTruth& truth) {
+  Answers<T> answers;
+  for (std::size_t c = 0; c < scene.calls.size(); ++c) {
+    const Call& call = scene.calls[c];
+    Bits& bits = answers.bits.emplace_back(scene.OutputBytes(call));
+    Result<T> result{.bits = bits.data()};
+    if (kernel.output == Output::kWeights) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        result.w[k] = answers.weights[k].emplace_back(call.n).data();
+      }
+    }
+    FunctionOf<T>(kernel)(scene.BatchOf(call), result);
+
+    const CallTruth& judged = truth.calls[c];
+    const std::size_t row = scene.loop == Loop::kGrid ? scene.width : call.n;
+    const std::size_t row_bytes = BitBytes(row);
+    for (std::size_t byte = 0; byte < bits.size(); ++byte) {
+      const unsigned said = bits[byte];
+      const unsigned boundary = judged.boundary[byte];
+      answers.boundary_accepted +=
+          static_cast<std::size_t>(std::popcount(said & boundary));
+      unsigned wrong = (said ^ judged.inside[byte]) & ~boundary & 0xff;
+      for (; wrong != 0; wrong &= wrong - 1) {
+        const auto bit = static_cast<std::size_t>(std::countr_zero(wrong));
+        const std::size_t column = byte % row_bytes * 8 + bit;
+        if (column >= row) {
+          ++answers.stray_bits;
+          continue;
+        }
+        answers.wrong.push_back(
+            {c, byte / row_bytes * row + column, (said >> bit & 1) != 0});
+      }
+    }
+  }
+  return answers;
+}
+
+template <class T>
+std::optional<std::string> Refusal(const Kernel& kernel, const Scene<T>& scene,
+                                   const SceneTruth& truth) {
+  const Answers<T> answers = Ask(kernel, scene, truth);
+  if (answers.stray_bits != 0) return "sets bits past the last answer";
+  // A method that accepts a third is wrong about a third of all points; that
+  // many cannot be looked at exactly, so every so manieth is.
+  constexpr std::size_t kExamined = 20000;
+  const std::size_t step = answers.wrong.size() / kExamined + 1;
+  for (std::size_t i = 0; i < answers.wrong.size(); i += step) {
+    if (!Declared(kernel, scene, answers.wrong[i])) {
+      return Describe(scene, answers.wrong[i]);
+    }
+  }
+  if constexpr (!std::is_integral_v<T>) {
+    if (kernel.output == Output::kWeights) return WrongWeights(scene, answers);
+  }
+  return std::nullopt;
+}
+
+#define PITBENCH_INSTANTIATE(T)                                               \
+  template SceneTruth JudgeScene(const Scene<T>&);                            \
+  template Answers<T> Ask(const Kernel&, const Scene<T>&, const SceneTruth&); \
+  template std::optional<std::string> Refusal(const Kernel&, const Scene<T>&, \
+                                              const SceneTruth&)
+PITBENCH_INSTANTIATE(float);
+PITBENCH_INSTANTIATE(double);
+PITBENCH_INSTANTIATE(std::int32_t);
+#undef PITBENCH_INSTANTIATE
+
+}  // namespace pitbench

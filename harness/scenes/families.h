@@ -1,0 +1,99 @@
+// The families of scenes, one file each, and what they are drawn with. Reached
+// through MakeScene (generate.h).
+#ifndef PITBENCH_HARNESS_SCENES_FAMILIES_H_
+#define PITBENCH_HARNESS_SCENES_FAMILIES_H_
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "harness/scenes/generate.h"
+#include "harness/scenes/random.h"
+
+namespace pitbench {
+
+template <class T>
+Scene<T> UniformScene(const SceneSpec& spec, Loop loop, std::uint64_t seed);
+template <class T>
+Scene<T> NearEdgeScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                       std::uint64_t seed);
+template <class T>
+Scene<T> NeedleScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                     std::uint64_t seed);
+template <class T>
+Scene<T> OffsetScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                     std::uint64_t seed);
+Scene<std::int32_t> GridScene(const SceneSpec& spec, std::uint64_t seed);
+
+// Each coordinate rounded once to T.
+template <class T>
+Point<T> Rounded(const Point<double>& p) {
+  return {static_cast<T>(p.x), static_cast<T>(p.y)};
+}
+template <class T>
+Triangle<T> Rounded(const Triangle<double>& t) {
+  return {Rounded<T>(t.a), Rounded<T>(t.b), Rounded<T>(t.c)};
+}
+
+inline Point<double> InUnitSquare(Random& random) {
+  const double x = random.Unit();
+  return {x, random.Unit()};
+}
+
+// Random vertices in the unit square, drawn until the smallest altitude is at
+// least 0.2, so that nothing about the shape is hard. Either winding.
+inline Triangle<double> WellShaped(Random& random) {
+  while (true) {
+    const Point<double> a = InUnitSquare(random);
+    const Point<double> b = InUnitSquare(random);
+    const Point<double> c = InUnitSquare(random);
+    const double double_area =
+        std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    const auto squared = [](const Point<double>& p, const Point<double>& q) {
+      return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
+    };
+    const double longest =
+        std::sqrt(std::max({squared(a, b), squared(b, c), squared(c, a)}));
+    if (double_area >= 0.2 * longest) return {a, b, c};
+  }
+}
+
+// Groups of a family that draws a point for a triangle and a triangle for a
+// point. Family has
+//   Triangle<T> DrawTriangle(Random&), Point<T> DrawPoint(Random&),
+//   Point<T> PointFor(Random&, const Triangle<T>&),
+//   Triangle<T> TriangleFor(Random&, const Point<T>&).
+template <class T, class Family>
+Scene<T> Assemble(const Family& family, const SceneSpec& spec, Loop loop,
+                  SceneSize size, std::uint64_t seed) {
+  Scene<T> scene{.name = spec.name, .loop = loop};
+  Random random(
+      SeedFor(std::string(Name(loop)).append("/").append(spec.name), seed));
+  for (std::size_t group = 0; group < size.groups; ++group) {
+    scene.calls.push_back({scene.ax.size(), scene.px.size(), size.size});
+    if (loop == Loop::kOneTriangle) {
+      const Triangle<T> triangle = family.DrawTriangle(random);
+      scene.Add(triangle);
+      for (std::size_t i = 0; i < size.size; ++i) {
+        scene.Add(family.PointFor(random, triangle));
+      }
+    } else if (loop == Loop::kOnePoint) {
+      const Point<T> point = family.DrawPoint(random);
+      scene.Add(point);
+      for (std::size_t i = 0; i < size.size; ++i) {
+        scene.Add(family.TriangleFor(random, point));
+      }
+    } else {
+      for (std::size_t i = 0; i < size.size; ++i) {
+        const Triangle<T> triangle = family.DrawTriangle(random);
+        scene.Add(triangle);
+        scene.Add(family.PointFor(random, triangle));
+      }
+    }
+  }
+  return scene;
+}
+
+}  // namespace pitbench
+
+#endif  // PITBENCH_HARNESS_SCENES_FAMILIES_H_

@@ -1,0 +1,149 @@
+// A scene: the flat arrays that the kernels of one loop read, and which parts
+// of them each call reads. Nothing more is modelled.
+#ifndef PITBENCH_HARNESS_SCENES_SCENE_H_
+#define PITBENCH_HARNESS_SCENES_SCENE_H_
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "harness/truth/truth.h"
+#include "kernels/kernels.h"
+
+namespace pitbench {
+
+// Allocates whole cache lines, so that where an array lies does not change
+// from run to run.
+template <class T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kLine{128};
+  CacheLineAllocator() = default;
+  template <class U>
+  explicit CacheLineAllocator(const CacheLineAllocator<U>&) {}
+  T* allocate(std::size_t n) {
+    return static_cast<T*>(::operator new(n * sizeof(T), kLine));
+  }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, kLine); }
+  bool operator==(const CacheLineAllocator&) const = default;
+};
+
+template <class T>
+using Array = std::vector<T, CacheLineAllocator<T>>;
+
+// What one call of a kernel reads: n items from these elements on. A side that
+// the loop does not batch is that one element.
+struct Call {
+  std::size_t triangle;
+  std::size_t point;
+  std::size_t n;
+};
+
+template <class T>
+struct Scene {
+  std::string name;  // e.g. "near_edge:ulps=1"
+  Loop loop;
+  Array<T> ax, ay, bx, by, cx, cy;
+  Array<T> px, py;
+  std::size_t width = 0;  // of the grid, in pixels; loop grid only
+  std::size_t height = 0;
+  std::vector<Call> calls;
+
+  void Add(const Triangle<T>& t) {
+    ax.push_back(t.a.x);
+    ay.push_back(t.a.y);
+    bx.push_back(t.b.x);
+    by.push_back(t.b.y);
+    cx.push_back(t.c.x);
+    cy.push_back(t.c.y);
+  }
+  void Add(const Point<T>& p) {
+    px.push_back(p.x);
+    py.push_back(p.y);
+  }
+
+  Triangle<T> TriangleAt(std::size_t i) const {
+    return {{ax[i], ay[i]}, {bx[i], by[i]}, {cx[i], cy[i]}};
+  }
+  Point<T> PointAt(std::size_t i) const { return {px[i], py[i]}; }
+
+  Batch<T> BatchOf(const Call& call) const {
+    const std::size_t t = call.triangle;
+    const std::size_t p = call.point;
+    const bool grid = loop == Loop::kGrid;
+    return {&ax[t],
+            &ay[t],
+            &bx[t],
+            &by[t],
+            &cx[t],
+            &cy[t],
+            grid ? nullptr : &px[p],
+            grid ? nullptr : &py[p],
+            call.n,
+            width,
+            height};
+  }
+
+  // How many answers a call gives.
+  std::size_t Answers(const Call& call) const {
+    return loop == Loop::kGrid ? call.n * width * height : call.n;
+  }
+  // Where the bit of answer i of a call lies, counted from bit 0 of byte 0.
+  std::size_t BitOf(std::size_t i) const {
+    if (loop != Loop::kGrid) return i;
+    return i / width * 8 * BitBytes(width) + i % width;
+  }
+  // How many bytes of bits a call writes.
+  std::size_t OutputBytes(const Call& call) const {
+    return loop == Loop::kGrid ? call.n * height * BitBytes(width)
+                               : BitBytes(call.n);
+  }
+  // The triangle and the point that answer i of a call is about.
+  Triangle<T> TriangleOf(const Call& call, std::size_t i) const {
+    switch (loop) {
+      case Loop::kOneTriangle:
+        return TriangleAt(call.triangle);
+      case Loop::kOnePoint:
+      case Loop::kPairs:
+        return TriangleAt(call.triangle + i);
+      case Loop::kGrid:
+        break;
+    }
+    return TriangleAt(call.triangle + i / (width * height));
+  }
+  Point<T> PointOf(const Call& call, std::size_t i) const {
+    switch (loop) {
+      case Loop::kOneTriangle:
+      case Loop::kPairs:
+        return PointAt(call.point + i);
+      case Loop::kOnePoint:
+        return PointAt(call.point);
+      case Loop::kGrid:
+        break;
+    }
+    return {static_cast<T>(i % width), static_cast<T>(i / width % height)};
+  }
+
+  // Bytes that a call reads, for the row of results.
+  std::size_t BytesRead(const Call& call) const {
+    const std::size_t triangle = 6 * sizeof(T);
+    const std::size_t point = 2 * sizeof(T);
+    switch (loop) {
+      case Loop::kOneTriangle:
+        return triangle + call.n * point;
+      case Loop::kOnePoint:
+        return point + call.n * triangle;
+      case Loop::kPairs:
+        return call.n * (triangle + point);
+      case Loop::kGrid:
+        break;
+    }
+    return call.n * triangle;
+  }
+};
+
+}  // namespace pitbench
+
+#endif  // PITBENCH_HARNESS_SCENES_SCENE_H_

@@ -1,0 +1,113 @@
+#include "harness/scenes/spec.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "harness/input/nearest.h"
+
+namespace pitbench {
+namespace {
+
+std::vector<std::string_view> Split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  std::size_t first = 0;
+  while (true) {
+    const std::size_t end = text.find(separator, first);
+    parts.push_back(text.substr(first, end - first));
+    if (end == std::string_view::npos) return parts;
+    first = end + 1;
+  }
+}
+
+}  // namespace
+
+const std::vector<FamilyInfo>& Families() {
+  static const std::vector<FamilyInfo> families = {
+      {"uniform", "hit:bytes:sets",
+       "Points uniform in the unit square, triangles that cover hit percent of "
+       "it; a call reads about `bytes`. sets=fresh takes another triangle (for "
+       "one_point and pairs: other points) at every call, sets=fixed always "
+       "the same."},
+      {"near_edge", "ulps",
+       "Points rounded onto an edge of a well-shaped triangle in the unit "
+       "square and then moved off it by this many representable numbers."},
+      {"needle", "aspect",
+       "Triangles of length 1 and altitude 2^-aspect in any direction; points "
+       "around them within twice their altitude."},
+      {"offset", "ratio",
+       "Well-shaped triangles and points in a unit square whose corner is at "
+       "(2^ratio, 2^ratio)."},
+      {"grid_80x50", "sets",
+       "Triangles with random whole vertices against every pixel of a grid of "
+       "80 columns and 50 rows, as in qTriangle's program."},
+      {"own", "", "Triangles and points from your own CSV files."},
+  };
+  return families;
+}
+
+std::int64_t SceneSpec::Number(std::string_view key, std::int64_t low,
+                               std::int64_t high) const {
+  const std::string& text = parameters.find(key)->second;
+  std::string_view digits = text;
+  std::int64_t unit = 1;
+  if (digits.ends_with('k')) unit = std::int64_t{1} << 10;
+  if (digits.ends_with('M')) unit = std::int64_t{1} << 20;
+  if (unit != 1) digits.remove_suffix(1);
+  std::int64_t value = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() ||
+      value < low / unit || value > high / unit) {
+    throw SceneError("scene '" + name + "': " + std::string(key) +
+                     " must be a whole number from " + std::to_string(low) +
+                     " to " + std::to_string(high) + ", not '" + text + "'");
+  }
+  return value * unit;
+}
+
+bool SceneSpec::Fresh() const {
+  const std::string& sets = parameters.find("sets")->second;
+  if (sets != "fresh" && sets != "fixed") {
+    throw SceneError("scene '" + name +
+                     "': sets must be fresh or fixed, not '" + sets + "'");
+  }
+  return sets == "fresh";
+}
+
+SceneSpec ParseScene(std::string_view name) {
+  SceneSpec spec;
+  spec.name = name;
+  std::vector<std::string_view> parts = Split(name, ':');
+  spec.family = parts.front();
+  std::vector<std::string_view> names;
+  for (const FamilyInfo& family : Families()) names.push_back(family.name);
+  if (std::find(names.begin(), names.end(), spec.family) == names.end()) {
+    throw SceneError(NoSuch("scene", spec.family, names));
+  }
+  const FamilyInfo& family = *std::find_if(
+      Families().begin(), Families().end(),
+      [&spec](const FamilyInfo& info) { return info.name == spec.family; });
+  std::vector<std::string_view> keys;
+  if (!family.parameters.empty()) keys = Split(family.parameters, ':');
+  parts.erase(parts.begin());
+  bool fits = parts.size() == keys.size();
+  for (std::size_t k = 0; fits && k < keys.size(); ++k) {
+    const std::size_t equals = parts[k].find('=');
+    fits = equals != std::string_view::npos &&
+           parts[k].substr(0, equals) == keys[k];
+    if (fits) {
+      spec.parameters.emplace(keys[k], parts[k].substr(equals + 1));
+    }
+  }
+  if (!fits) {
+    std::string form(family.name);
+    for (const std::string_view key : keys) {
+      form.append(":").append(key).append("=…");
+    }
+    throw SceneError("scene '" + spec.name + "' must have the form '" + form +
+                     "'");
+  }
+  return spec;
+}
+
+}  // namespace pitbench

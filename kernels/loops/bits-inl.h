@@ -1,0 +1,117 @@
+// How the answers of a loop become bits, and how its tail is read.
+#if defined(PITBENCH_KERNELS_LOOPS_BITS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PITBENCH_KERNELS_LOOPS_BITS_INL_H_
+#undef PITBENCH_KERNELS_LOOPS_BITS_INL_H_
+#else
+#define PITBENCH_KERNELS_LOOPS_BITS_INL_H_
+#endif
+
+#include <cstring>
+
+#include "kernels/method-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+// The lanes of `mask` as bits, lane 0 in bit 0. The word is no wider than the
+// mask, so that the compiler keeps it in a register.
+template <class D>
+HWY_INLINE std::uint64_t MaskBits(D d, Mask<D> mask) {
+#if HWY_HAVE_SCALABLE
+  std::uint64_t word = 0;
+#else
+  std::conditional_t<(kMaxLanes<D> <= 8), std::uint8_t, std::uint16_t> word = 0;
+#endif
+  hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&word));
+  return word;
+}
+
+// Writes n answers to `bits`. mask_at(i) answers for items i to i + Lanes(d),
+// all of which exist; tail_at(i, count) for the last count < Lanes(d) items
+// and false for the lanes after them.
+template <class D, class MaskAt, class TailAt>
+HWY_INLINE void WriteBits(D d, std::size_t n, std::uint8_t* bits,
+                          const MaskAt& mask_at, const TailAt& tail_at) {
+  const std::size_t lanes = hn::Lanes(d);
+  const std::size_t step = HWY_MAX(lanes, std::size_t{8});
+  std::size_t i = 0;
+  for (; i + step <= n; i += step) {
+    if (lanes >= 8) {
+      hn::StoreMaskBits(d, mask_at(i), bits + i / 8);
+    } else {
+      std::uint64_t byte = 0;
+      for (std::size_t j = 0; j < 8; j += lanes) {
+        byte |= MaskBits(d, mask_at(i + j)) << j;
+      }
+      bits[i / 8] = static_cast<std::uint8_t>(byte);
+    }
+  }
+  if (i == n) return;
+  std::uint64_t word = 0;
+  const std::size_t first = i;
+  for (; i + lanes <= n; i += lanes) {
+    word |= MaskBits(d, mask_at(i)) << (i - first);
+  }
+  if (i < n) word |= MaskBits(d, tail_at(i, n - i)) << (i - first);
+  std::memcpy(bits + first / 8, &word, BitBytes(n - first));
+}
+
+// The last `count` elements of an array that ends with them, as a whole
+// vector: nothing past the end is read.
+template <class D>
+class Tail {
+  using T = TFromD<D>;
+
+ public:
+  HWY_INLINE Tail(const T* from, std::size_t count) {
+    std::memcpy(lanes_, from, count * sizeof(T));
+  }
+  const T* data() const { return lanes_; }
+
+ private:
+  HWY_ALIGN T lanes_[kMaxLanes<D>] = {};
+};
+
+// Stores `v` at `to`, but only its first `count` lanes.
+template <class D>
+HWY_INLINE void StoreTail(D d, Vec<D> v, TFromD<D>* to, std::size_t count) {
+  HWY_ALIGN TFromD<D> lanes[kMaxLanes<D>];
+  hn::Store(v, d, lanes);
+  std::memcpy(to, lanes, count * sizeof(TFromD<D>));
+}
+
+// The inside mask of `method`; stores the weights as well where kOutput says
+// so. `count` lanes are real; kWhole promises that all of them are.
+template <Output kOutput, bool kWhole, class M, class D>
+HWY_INLINE Mask<D> Answer(const M& method, D d, Vec<D> x, Vec<D> y,
+                          const Result<TFromD<D>>& result, std::size_t i,
+                          std::size_t count) {
+  if constexpr (kOutput == Output::kWeights) {
+    auto wa = x;
+    auto wb = x;
+    auto wc = x;
+    method.Weights(d, x, y, wa, wb, wc);
+    if constexpr (kWhole) {
+      hn::StoreU(wa, d, result.w[0] + i);
+      hn::StoreU(wb, d, result.w[1] + i);
+      hn::StoreU(wc, d, result.w[2] + i);
+    } else {
+      StoreTail(d, wa, result.w[0] + i, count);
+      StoreTail(d, wb, result.w[1] + i, count);
+      StoreTail(d, wc, result.w[2] + i, count);
+    }
+  }
+  const auto inside = method.Inside(d, x, y);
+  if constexpr (kWhole) {
+    return inside;
+  } else {
+    return And(inside, hn::FirstN(d, count));
+  }
+}
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard that Highway toggles

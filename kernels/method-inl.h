@@ -1,0 +1,223 @@
+// What every method is written with: lanes of triangles, values kept from the
+// set-up, the winding, and the masks that decide.
+//
+// A method is a class template over a Highway tag D, set up from one triangle
+// a lane. Where D has one lane, its points may come in any wider tag: the kept
+// values are then broadcast. So one text serves a single triangle as well as a
+// vector of them.
+//
+//   template <class D> class M {
+//    public:
+//     M(D d, const Triangles<D>& t);                       the set-up
+//     template <class E> Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const;
+//     template <class E> void Weights(E e, Vec<E> x, Vec<E> y,
+//                                     Vec<E>& wa, Vec<E>& wb, Vec<E>& wc)
+//                                     const;
+//   };
+//
+// A triangle that is degenerate or not finite contains nothing. A point that
+// is not finite is outside where D has one lane; where it has more, the loop
+// sees to that (kernels/loops).
+#if defined(PITBENCH_KERNELS_METHOD_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PITBENCH_KERNELS_METHOD_INL_H_
+#undef PITBENCH_KERNELS_METHOD_INL_H_
+#else
+#define PITBENCH_KERNELS_METHOD_INL_H_
+#endif
+
+#include <limits>
+#include <type_traits>
+
+#include "kernels/isa-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using hn::Abs;
+using hn::Add;
+using hn::And;
+using hn::Div;
+using hn::Ge;
+using hn::Gt;
+using hn::IfThenElse;
+using hn::Le;
+using hn::Lt;
+using hn::Mask;
+using hn::Mul;
+using hn::MulAdd;
+using hn::MulSub;
+using hn::Or;
+using hn::Set;
+using hn::Sub;
+using hn::TFromD;
+using hn::Vec;
+using hn::Zero;
+
+template <class T>
+using OneLane = hn::CappedTag<T, 1>;
+
+template <class T>
+using Lanes = hn::ScalableTag<T>;
+
+// No vector of tag D has more lanes than this.
+template <class D>
+inline constexpr std::size_t kMaxLanes = hn::MaxLanes(D());
+
+// The triangles from which a method is set up: element i of each array is lane
+// i. Every array holds at least as many elements as D has lanes.
+template <class D>
+struct Triangles {
+  using T = TFromD<D>;
+  D d;
+  const T* ax;
+  const T* ay;
+  const T* bx;
+  const T* by;
+  const T* cx;
+  const T* cy;
+
+  HWY_INLINE Vec<D> Ax() const { return hn::LoadU(d, ax); }
+  HWY_INLINE Vec<D> Ay() const { return hn::LoadU(d, ay); }
+  HWY_INLINE Vec<D> Bx() const { return hn::LoadU(d, bx); }
+  HWY_INLINE Vec<D> By() const { return hn::LoadU(d, by); }
+  HWY_INLINE Vec<D> Cx() const { return hn::LoadU(d, cx); }
+  HWY_INLINE Vec<D> Cy() const { return hn::LoadU(d, cy); }
+};
+
+// A value that the set-up keeps for the points. One lane is kept as a number
+// and broadcast; a scalable vector, which no class may hold, in memory.
+template <class D>
+class Held {
+  using T = TFromD<D>;
+  static constexpr bool kOneLane = std::is_same_v<D, OneLane<T>>;
+
+ public:
+  HWY_INLINE Held(D d, Vec<D> v) {
+    if constexpr (kOneLane) {
+      (void)d;
+      kept_ = hn::GetLane(v);
+    } else if constexpr (HWY_HAVE_SCALABLE) {
+      hn::StoreU(v, d, kept_);
+    } else {
+      (void)d;
+      kept_ = v;
+    }
+  }
+
+  template <class E>
+  HWY_INLINE Vec<E> In(E e) const {
+    if constexpr (kOneLane) {
+      return Set(e, kept_);
+    } else {
+      static_assert(std::is_same_v<D, E>, "many triangles need their own tag");
+      if constexpr (HWY_HAVE_SCALABLE) {
+        return hn::LoadU(e, kept_);
+      } else {
+        return kept_;
+      }
+    }
+  }
+
+ private:
+#if HWY_HAVE_SCALABLE
+  std::conditional_t<kOneLane, T, T[HWY_MAX_BYTES / sizeof(T)]> kept_;
+#else
+  std::conditional_t<kOneLane, T, Vec<D>> kept_;
+#endif
+};
+
+// Twice the signed area of ABC, from vertex A.
+template <class D>
+HWY_INLINE Vec<D> DoubleArea(const Triangles<D>& t) {
+  const auto ax = t.Ax();
+  const auto ay = t.Ay();
+  return Sub(Mul(Sub(t.Bx(), ax), Sub(t.Cy(), ay)),
+             Mul(Sub(t.By(), ay), Sub(t.Cx(), ax)));
+}
+
+// `value` where `area` is neither 0 nor infinite nor NaN; NaN elsewhere. An
+// infinite or NaN coordinate always makes DoubleArea infinite or NaN, so a
+// method whose kept values all carry this factor contains nothing then.
+template <class D>
+HWY_INLINE Vec<D> ValidOrNaN(D d, Vec<D> area, Vec<D> value) {
+  using T = TFromD<D>;
+  const auto size = Abs(area);
+  const auto valid = And(Gt(size, Zero(d)),
+                         Lt(size, Set(d, std::numeric_limits<T>::infinity())));
+  return IfThenElse(valid, value, Set(d, std::numeric_limits<T>::quiet_NaN()));
+}
+
+// +1 for a counter-clockwise triangle, −1 for a clockwise one, NaN for one
+// that contains nothing. A product with it is exact.
+template <class D>
+HWY_INLINE Vec<D> Winding(D d, Vec<D> area) {
+  return ValidOrNaN(d, area, hn::CopySignToAbs(Set(d, TFromD<D>{1}), area));
+}
+
+// `mask` and a ≥ b (≤, <); false where a or b is NaN. AVX-512 compares under a
+// mask, which spares the And of two mask registers and the port it needs.
+#if HWY_TARGET == HWY_AVX3
+template <int kPredicate>
+HWY_INLINE hn::Mask512<float> AndCompare(hn::Mask512<float> mask,
+                                         hn::Vec512<float> a,
+                                         hn::Vec512<float> b) {
+  return {_mm512_mask_cmp_ps_mask(mask.raw, a.raw, b.raw, kPredicate)};
+}
+template <int kPredicate>
+HWY_INLINE hn::Mask512<double> AndCompare(hn::Mask512<double> mask,
+                                          hn::Vec512<double> a,
+                                          hn::Vec512<double> b) {
+  return {_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, kPredicate)};
+}
+template <class M, class V>
+HWY_INLINE M AndGe(M mask, V a, V b) {
+  return AndCompare<_CMP_GE_OQ>(mask, a, b);
+}
+template <class M, class V>
+HWY_INLINE M AndLe(M mask, V a, V b) {
+  return AndCompare<_CMP_LE_OQ>(mask, a, b);
+}
+template <class M, class V>
+HWY_INLINE M AndLt(M mask, V a, V b) {
+  return AndCompare<_CMP_LT_OQ>(mask, a, b);
+}
+#else
+template <class M, class V>
+HWY_INLINE M AndGe(M mask, V a, V b) {
+  return And(mask, Ge(a, b));
+}
+template <class M, class V>
+HWY_INLINE M AndLe(M mask, V a, V b) {
+  return And(mask, Le(a, b));
+}
+template <class M, class V>
+HWY_INLINE M AndLt(M mask, V a, V b) {
+  return And(mask, Lt(a, b));
+}
+#endif
+
+// Whether u ≥ 0, v ≥ 0 and w ≥ 0; false where any is NaN.
+template <class D>
+HWY_INLINE Mask<D> AllNonNegative(D d, Vec<D> u, Vec<D> v, Vec<D> w) {
+  if constexpr (std::is_integral_v<TFromD<D>>) {
+    return Gt(hn::Or(hn::Or(u, v), w), Set(d, TFromD<D>{-1}));
+  } else {
+    const auto zero = Zero(d);
+    return AndGe(AndGe(Ge(u, zero), v, zero), w, zero);
+  }
+}
+
+// Whether both coordinates are neither infinite nor NaN.
+template <class D>
+HWY_INLINE Mask<D> IsFinite(Vec<D> x, Vec<D> y) {
+  return hn::Eq(Add(Sub(x, x), Sub(y, y)), Zero(D()));
+}
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard that Highway toggles

@@ -1,0 +1,108 @@
+// Point in triangle by three determinants, two of them per point (qTriangle's
+// program).
+//
+//   U = (P − A) × (C − A),  V = (B − A) × (P − A),  Area = (B − A) × (C − A)
+//   inside iff U ≥ 0, V ≥ 0 and U + V < Area (closed form: ≤)
+//
+// Set-up: 2 edges, 2 multiplications. Per point: 4 subtractions, 4
+// multiplications, 1 addition, 3 compares.
+// Boundary: half-open, BC is dropped, as in qTriangle's program; the closed
+// form keeps it. Winding: fixed by the set-up. Degenerate: contains nothing.
+// Fails: as cross_product_det; on BC with the rounding of three terms instead
+// of one.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/methods/barycentric_determinant.cc"
+#include <hwy/foreach_target.h>
+
+#include "kernels/rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+template <class D, Boundary kBoundary>
+class BarycentricDeterminant {
+ public:
+  HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t)
+      : BarycentricDeterminant(d, t, DoubleArea(t)) {}
+
+  template <class E>
+  HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
+    const auto u = U(e, x, y);
+    const auto v = V(e, x, y);
+    const auto zero = Zero(e);
+    const auto sum = Add(u, v);
+    const auto in = AndGe(Ge(u, zero), v, zero);
+    return kBoundary == Boundary::kClosed ? AndLe(in, sum, area_.In(e))
+                                          : AndLt(in, sum, area_.In(e));
+  }
+
+  template <class E>
+  HWY_INLINE void Weights(E e, Vec<E> x, Vec<E> y, Vec<E>& wa, Vec<E>& wb,
+                          Vec<E>& wc) const {
+    const auto one = Set(e, TFromD<E>{1});
+    wb = Mul(U(e, x, y), inverse_area_.In(e));
+    wc = Mul(V(e, x, y), inverse_area_.In(e));
+    wa = Sub(one, Add(wb, wc));
+  }
+
+ private:
+  HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> area)
+      : BarycentricDeterminant(d, t, Winding(d, area), Abs(area)) {}
+
+  HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> winding,
+                                    Vec<D> size)
+      : ax_(d, t.Ax()),
+        ay_(d, t.Ay()),
+        bx_(d, Mul(Sub(t.Bx(), t.Ax()), winding)),
+        by_(d, Mul(Sub(t.By(), t.Ay()), winding)),
+        cx_(d, Mul(Sub(t.Cx(), t.Ax()), winding)),
+        cy_(d, Mul(Sub(t.Cy(), t.Ay()), winding)),
+        area_(d, size),
+        inverse_area_(d, Div(Set(d, TFromD<D>{1}), size)) {}
+
+  template <class E>
+  HWY_INLINE Vec<E> U(E e, Vec<E> x, Vec<E> y) const {
+    return Sub(Mul(Sub(x, ax_.In(e)), cy_.In(e)),
+               Mul(Sub(y, ay_.In(e)), cx_.In(e)));
+  }
+
+  template <class E>
+  HWY_INLINE Vec<E> V(E e, Vec<E> x, Vec<E> y) const {
+    return Sub(Mul(bx_.In(e), Sub(y, ay_.In(e))),
+               Mul(by_.In(e), Sub(x, ax_.In(e))));
+  }
+
+  Held<D> ax_, ay_;
+  Held<D> bx_, by_, cx_, cy_;
+  Held<D> area_, inverse_area_;
+};
+
+template <class D>
+using BarycentricDeterminantHalfOpen =
+    BarycentricDeterminant<D, Boundary::kHalfOpen>;
+template <class D>
+using BarycentricDeterminantClosed =
+    BarycentricDeterminant<D, Boundary::kClosed>;
+
+constexpr Method kBarycentricDeterminant{
+    .key = "barycentric_determinant",
+    .source = "qTriangle's program",
+    .formula = "U ≥ 0, V ≥ 0, U + V < Area, by cross products from vertex A",
+    .boundary = Boundary::kHalfOpen,
+};
+constexpr Method kBarycentricDeterminantClosed{
+    .key = "barycentric_determinant_closed",
+    .source = "qTriangle's program, with ≤",
+    .formula = "U ≥ 0, V ≥ 0, U + V ≤ Area, by cross products from vertex A",
+};
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+PITBENCH_KERNELS(
+    barycentric_determinant,
+    FloatRows<BarycentricDeterminantHalfOpen>(kBarycentricDeterminant) +
+        FloatRows<BarycentricDeterminantClosed>(kBarycentricDeterminantClosed));

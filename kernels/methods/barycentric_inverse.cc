@@ -1,0 +1,106 @@
+// Point in triangle by barycentric weights from the inverse of a 3×3 matrix
+// (qTriangle).
+//
+//   (w_a, w_b, w_c) = [A B C; 1 1 1]⁻¹ · (x, y, 1),   inside iff every w ≥ 0
+//
+// Set-up: a matrix inverse by Eigen (cofactors over the determinant), triangle
+// by triangle also where a vector of them is asked for. Per point: 6
+// multiplications, 6 additions, 3 compares: the third column is times 1.
+// Boundary: closed. Winding: any. Degenerate: contains nothing.
+// Fails: the determinant is formed from the coordinates themselves, not from
+// their differences, so it loses everything far from the origin: f32
+// (4096, 4096) (4096.5, 4096) (4096, 4096.5) has determinant 0.
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/methods/barycentric_inverse.cc"
+#include <hwy/foreach_target.h>
+
+#include "kernels/rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+template <class D>
+class BarycentricInverse {
+  using T = TFromD<D>;
+  // Nine coefficients, each a vector of lanes; row-major in the inverse.
+  struct Inverse {
+    HWY_ALIGN T at[9][kMaxLanes<D>];
+  };
+
+ public:
+  HWY_INLINE BarycentricInverse(D d, const Triangles<D>& t)
+      : BarycentricInverse(d, Invert(d, t)) {}
+
+  template <class E>
+  HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
+    auto wa = x;
+    auto wb = x;
+    auto wc = x;
+    Weights(e, x, y, wa, wb, wc);
+    return AllNonNegative(e, wa, wb, wc);
+  }
+
+  template <class E>
+  HWY_INLINE void Weights(E e, Vec<E> x, Vec<E> y, Vec<E>& wa, Vec<E>& wb,
+                          Vec<E>& wc) const {
+    wa = Add(Add(Mul(ax_.In(e), x), Mul(ay_.In(e), y)), a1_.In(e));
+    wb = Add(Add(Mul(bx_.In(e), x), Mul(by_.In(e), y)), b1_.In(e));
+    wc = Add(Add(Mul(cx_.In(e), x), Mul(cy_.In(e), y)), c1_.In(e));
+  }
+
+ private:
+  HWY_INLINE BarycentricInverse(D d, const Inverse& inverse)
+      : ax_(d, hn::Load(d, inverse.at[0])),
+        ay_(d, hn::Load(d, inverse.at[1])),
+        a1_(d, hn::Load(d, inverse.at[2])),
+        bx_(d, hn::Load(d, inverse.at[3])),
+        by_(d, hn::Load(d, inverse.at[4])),
+        b1_(d, hn::Load(d, inverse.at[5])),
+        cx_(d, hn::Load(d, inverse.at[6])),
+        cy_(d, hn::Load(d, inverse.at[7])),
+        c1_(d, hn::Load(d, inverse.at[8])) {}
+
+  static HWY_INLINE Inverse Invert(D d, const Triangles<D>& t) {
+    Inverse inverse;
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+      Eigen::Matrix<T, 3, 3, Eigen::RowMajor> m;
+      const T entries[9] = {t.ax[lane], t.bx[lane], t.cx[lane],
+                            t.ay[lane], t.by[lane], t.cy[lane],
+                            T{1},       T{1},       T{1}};
+      for (int k = 0; k < 9; ++k) m.data()[k] = entries[k];
+      Eigen::Matrix<T, 3, 3, Eigen::RowMajor> inverted;
+      T determinant;
+      bool invertible;
+      m.computeInverseAndDetWithCheck(inverted, determinant, invertible, T{0});
+      invertible = invertible &&
+                   std::abs(determinant) < std::numeric_limits<T>::infinity();
+      for (int k = 0; k < 9; ++k) {
+        inverse.at[k][lane] = invertible ? inverted.data()[k]
+                                         : std::numeric_limits<T>::quiet_NaN();
+      }
+    }
+    return inverse;
+  }
+
+  Held<D> ax_, ay_, a1_;
+  Held<D> bx_, by_, b1_;
+  Held<D> cx_, cy_, c1_;
+};
+
+constexpr Method kBarycentricInverse{
+    .key = "barycentric_inverse",
+    .source = "qTriangle, 2018 and 2019 texts",
+    .formula = "[A B C; 1 1 1]⁻¹ · (x, y, 1) ≥ 0",
+};
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+PITBENCH_KERNELS(barycentric_inverse,
+                 FloatRows<BarycentricInverse>(kBarycentricInverse));

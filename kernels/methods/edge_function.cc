@@ -1,0 +1,108 @@
+// Point in triangle by three edge functions (Pineda 1988).
+//
+//   e_k(x, y) = A_k·x + B_k·y + C_k,   inside iff every e_k ≥ 0
+//
+// Set-up: 3 edges, 6 multiplications, 3 subtractions. Per point: 6
+// multiplications, 6 additions (with FMA 6 multiply-adds), 3 compares.
+// Boundary: closed. Winding: fixed by the set-up. Degenerate: contains nothing.
+// Fails: |C_k| grows with the distance from the origin, and with it the error;
+// neighbours disagree on their common edge.
+// Integers: exact while the coordinates of triangles and points have at most
+// 15 bits. No NaN there: a degenerate triangle gets C = −1, A = B = 0.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/methods/edge_function.cc"
+#include <hwy/foreach_target.h>
+
+#include "kernels/rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+template <class D, bool kFma>
+class EdgeFunction {
+  using T = TFromD<D>;
+
+ public:
+  HWY_INLINE EdgeFunction(D d, const Triangles<D>& t)
+      : EdgeFunction(d, t, Sign(d, DoubleArea(t))) {}
+
+  template <class E>
+  HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
+    return AllNonNegative(e, Edge(a0_.In(e), b0_.In(e), c0_.In(e), x, y),
+                          Edge(a1_.In(e), b1_.In(e), c1_.In(e), x, y),
+                          Edge(a2_.In(e), b2_.In(e), c2_.In(e), x, y));
+  }
+
+ private:
+  HWY_INLINE EdgeFunction(D d, const Triangles<D>& t, Vec<D> sign)
+      : a0_(d, Mul(Sub(t.Ay(), t.By()), sign)),
+        b0_(d, Mul(Sub(t.Bx(), t.Ax()), sign)),
+        c0_(d, Constant(d, a0_.In(d), b0_.In(d), t.Ax(), t.Ay(), sign)),
+        a1_(d, Mul(Sub(t.By(), t.Cy()), sign)),
+        b1_(d, Mul(Sub(t.Cx(), t.Bx()), sign)),
+        c1_(d, Constant(d, a1_.In(d), b1_.In(d), t.Bx(), t.By(), sign)),
+        a2_(d, Mul(Sub(t.Cy(), t.Ay()), sign)),
+        b2_(d, Mul(Sub(t.Ax(), t.Cx()), sign)),
+        c2_(d, Constant(d, a2_.In(d), b2_.In(d), t.Cx(), t.Cy(), sign)) {}
+
+  static HWY_INLINE Vec<D> Sign(D d, Vec<D> area) {
+    if constexpr (std::is_integral_v<T>) {
+      const auto one = Set(d, T{1});
+      return hn::Max(hn::Min(area, one), Sub(Zero(d), one));
+    } else {
+      return Winding(d, area);
+    }
+  }
+
+  // C such that the edge through (x, y) with normal (a, b) is 0 there.
+  static HWY_INLINE Vec<D> Constant(D d, Vec<D> a, Vec<D> b, Vec<D> x, Vec<D> y,
+                                    Vec<D> sign) {
+    const auto c = Sub(Zero(d), Add(Mul(a, x), Mul(b, y)));
+    if constexpr (std::is_integral_v<T>) {
+      return IfThenElse(hn::Eq(sign, Zero(d)), Set(d, T{-1}), c);
+    } else {
+      (void)sign;
+      return c;
+    }
+  }
+
+  template <class V>
+  static HWY_INLINE V Edge(V a, V b, V c, V x, V y) {
+    if constexpr (kFma) {
+      return MulAdd(a, x, MulAdd(b, y, c));
+    } else {
+      return Add(Add(Mul(a, x), Mul(b, y)), c);
+    }
+  }
+
+  Held<D> a0_, b0_, c0_;
+  Held<D> a1_, b1_, c1_;
+  Held<D> a2_, b2_, c2_;
+};
+
+template <class D>
+using EdgeFunctionPlain = EdgeFunction<D, false>;
+template <class D>
+using EdgeFunctionFma = EdgeFunction<D, true>;
+
+constexpr Method kEdgeFunction{
+    .key = "edge_function",
+    .source = "Pineda 1988",
+    .formula = "A·x + B·y + C ≥ 0 for each edge",
+};
+constexpr Method kEdgeFunctionFma{
+    .key = "edge_function_fma",
+    .source = kEdgeFunction.source,
+    .formula = kEdgeFunction.formula,
+    .fma = true,
+};
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+PITBENCH_KERNELS(edge_function, FloatRows<EdgeFunctionPlain>(kEdgeFunction) +
+                                    GridRows<EdgeFunctionPlain>(kEdgeFunction) +
+                                    FmaRows<EdgeFunctionFma>(kEdgeFunctionFma));

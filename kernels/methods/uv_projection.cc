@@ -1,0 +1,109 @@
+// Point in triangle by projection on two edges (qTriangle 2019; the course
+// note's normal equations).
+//
+//   (u, v) = G⁻¹ · ((P − A)·(B − A), (P − A)·(C − A)),  G the Gram matrix of
+//   the two edges;   inside iff u ≥ 0, v ≥ 0 and u + v ≤ 1
+//
+// Set-up: Gram matrix and its inverse, one division. Per point: 2
+// subtractions, 8 multiplications, 5 additions, 3 compares.
+// Boundary: closed. Winding: any. Degenerate: contains nothing.
+// Fails: the Gram determinant is the square of the area, so it vanishes on
+// needles where the area does not: f32 (0, 0) (1, 0) (1, 0x1p-13). It
+// underflows and overflows at the fourth root of the range.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/methods/uv_projection.cc"
+#include <hwy/foreach_target.h>
+
+#include "kernels/rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+template <class D>
+class UvProjection {
+  using T = TFromD<D>;
+
+ public:
+  HWY_INLINE UvProjection(D d, const Triangles<D>& t)
+      : UvProjection(d, t, Sub(t.Bx(), t.Ax()), Sub(t.By(), t.Ay()),
+                     Sub(t.Cx(), t.Ax()), Sub(t.Cy(), t.Ay())) {}
+
+  template <class E>
+  HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
+    auto u = x;
+    auto v = x;
+    Project(e, x, y, u, v);
+    const auto zero = Zero(e);
+    return AndLe(AndGe(Ge(u, zero), v, zero), Add(u, v), Set(e, TFromD<E>{1}));
+  }
+
+  template <class E>
+  HWY_INLINE void Weights(E e, Vec<E> x, Vec<E> y, Vec<E>& wa, Vec<E>& wb,
+                          Vec<E>& wc) const {
+    Project(e, x, y, wb, wc);
+    wa = Sub(Set(e, TFromD<E>{1}), Add(wb, wc));
+  }
+
+ private:
+  HWY_INLINE UvProjection(D d, const Triangles<D>& t, Vec<D> bx, Vec<D> by,
+                          Vec<D> cx, Vec<D> cy)
+      : UvProjection(d, t, bx, by, cx, cy, Dot(bx, by, bx, by),
+                     Dot(bx, by, cx, cy), Dot(cx, cy, cx, cy)) {}
+
+  HWY_INLINE UvProjection(D d, const Triangles<D>& t, Vec<D> bx, Vec<D> by,
+                          Vec<D> cx, Vec<D> cy, Vec<D> bb, Vec<D> bc, Vec<D> cc)
+      : UvProjection(d, t, bx, by, cx, cy, bb, bc, cc,
+                     Inverse(d, Sub(Mul(bb, cc), Mul(bc, bc)))) {}
+
+  HWY_INLINE UvProjection(D d, const Triangles<D>& t, Vec<D> bx, Vec<D> by,
+                          Vec<D> cx, Vec<D> cy, Vec<D> bb, Vec<D> bc, Vec<D> cc,
+                          Vec<D> inverse)
+      : ax_(d, t.Ax()),
+        ay_(d, t.Ay()),
+        bx_(d, bx),
+        by_(d, by),
+        cx_(d, cx),
+        cy_(d, cy),
+        g00_(d, Mul(cc, inverse)),
+        g01_(d, Mul(Sub(Zero(d), bc), inverse)),
+        g11_(d, Mul(bb, inverse)) {}
+
+  template <class V>
+  static HWY_INLINE V Dot(V ax, V ay, V bx, V by) {
+    return Add(Mul(ax, bx), Mul(ay, by));
+  }
+
+  static HWY_INLINE Vec<D> Inverse(D d, Vec<D> determinant) {
+    return ValidOrNaN(d, determinant, Div(Set(d, T{1}), determinant));
+  }
+
+  template <class E>
+  HWY_INLINE void Project(E e, Vec<E> x, Vec<E> y, Vec<E>& u, Vec<E>& v) const {
+    const auto dx = Sub(x, ax_.In(e));
+    const auto dy = Sub(y, ay_.In(e));
+    const auto on_b = Dot(dx, dy, bx_.In(e), by_.In(e));
+    const auto on_c = Dot(dx, dy, cx_.In(e), cy_.In(e));
+    u = Add(Mul(g00_.In(e), on_b), Mul(g01_.In(e), on_c));
+    v = Add(Mul(g01_.In(e), on_b), Mul(g11_.In(e), on_c));
+  }
+
+  Held<D> ax_, ay_;
+  Held<D> bx_, by_, cx_, cy_;
+  Held<D> g00_, g01_, g11_;
+};
+
+constexpr Method kUvProjection{
+    .key = "uv_projection",
+    .source = "qTriangle, 2019 text; ray/triangle course note",
+    .formula =
+        "u ≥ 0, v ≥ 0, u + v ≤ 1, (u, v) = G⁻¹ · dot products with the "
+        "edges from A",
+};
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+PITBENCH_KERNELS(uv_projection, FloatRows<UvProjection>(kUvProjection));

@@ -1,0 +1,255 @@
+"""Files that fit are loaded; whatever does not is refused by file and field."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from analysis.load import LoadError, load_run
+from tests.analysis.conftest import TWO_METHODS
+from tests.analysis.synthetic import REVISION, documents, write_run
+
+SPEED = "speed-one_triangle-f32.json"
+ACCURACY = "accuracy-near_edge-f32.json"
+
+
+def edit(path: Path, change: Callable[[Any], None]) -> None:
+    document = json.loads(path.read_text())
+    change(document)
+    path.write_text(json.dumps(document))
+
+
+def test_a_run_is_loaded_whole(small_run: Path) -> None:
+    run = load_run(small_run)
+    assert run.machine.revision == REVISION
+    assert run.profile == "tiny"
+    # 2 methods × 2 ISAs × fresh and fixed, and a twin; 9 repetitions each.
+    assert len(run.speed) == (2 * 2 * 2 + 1) * 9
+    assert len(run.accuracy) == 2 * 2 * 9
+    assert [shard.name for shard in run.shards] == ["speed-one_triangle-f32"]
+    assert {entry.key for entry in run.methods} == set(TWO_METHODS.methods)
+
+
+def test_nanoseconds_are_of_one_item(small_run: Path) -> None:
+    def two_items(document: Any) -> None:
+        row = document["benchmarks"][0]
+        row["items_per_second"] = 4e9
+
+    edit(small_run / SPEED, two_items)
+    assert load_run(small_run).speed["ns"].iloc[0] == 0.25
+
+
+def test_a_run_without_methods_json_is_loaded(small_run: Path) -> None:
+    (small_run / "methods.json").unlink()
+    assert load_run(small_run).methods == ()
+
+
+def test_an_aggregate_row_is_no_repetition(small_run: Path) -> None:
+    before = len(load_run(small_run).speed)
+    edit(
+        small_run / SPEED,
+        lambda d: d["benchmarks"].append(
+            {"name": d["benchmarks"][0]["name"] + "_mean", "run_type": "aggregate"}
+        ),
+    )
+    assert len(load_run(small_run).speed) == before
+
+
+def test_a_refused_cell_is_listed_once_and_not_timed(small_run: Path) -> None:
+    name = "one_triangle/uniform:hit=50:n=1:sets=fresh/cross_product/f32/avx2"
+    row = {"name": name, "error_occurred": True, "error_message": "3 of 9 differ"}
+    edit(small_run / SPEED, lambda d: d["benchmarks"].extend([row, row]))
+    run = load_run(small_run)
+    assert list(run.refused["reason"]) == ["3 of 9 differ"]
+    assert name not in set(run.speed["name"])
+
+
+def set_row(key: str, value: Any) -> Callable[[Any], None]:
+    return lambda d: d["benchmarks"][0].update({key: value})
+
+
+def set_cell(key: str, value: Any) -> Callable[[Any], None]:
+    return lambda d: d["cells"][0].update({key: value})
+
+
+def set_context(key: str, value: Any) -> Callable[[Any], None]:
+    return lambda d: d["context"]["pitbench"].update({key: value})
+
+
+BAD = [
+    (SPEED, set_row("items_per_second", "fast"), "benchmarks[0].items_per_second"),
+    (SPEED, set_row("items_per_second", 0), "benchmarks[0].items_per_second"),
+    (SPEED, set_row("items_per_second", 1e-320), "benchmarks[0].items_per_second"),
+    (SPEED, set_row("items_per_second", 10**400), "benchmarks[0].items_per_second"),
+    (SPEED, set_row("time_unit", "ms"), "benchmarks[0].time_unit"),
+    (SPEED, set_row("run_name", "nonsense"), "benchmarks[0].name"),
+    (SPEED, lambda d: d["benchmarks"][0].pop("items"), "'items' is a required"),
+    (SPEED, lambda d: d["context"].pop("pitbench"), "$.context"),
+    (SPEED, lambda d: d["context"].update(host_name="mine"), "$.context"),
+    (SPEED, set_context("profile", "slow"), "pitbench.profile"),
+    (SPEED, set_context("surprise", 1), "surprise"),
+    (SPEED, set_context("clock_after_ghz", 0), "pitbench.clock_after_ghz"),
+    (SPEED, lambda d: d["benchmarks"].append(d["benchmarks"][0]), "is there twice"),
+    (ACCURACY, set_cell("method", "edge_function_fma"), "cells[0].method"),
+    (ACCURACY, set_cell("interior", 4901), "cells[0].false_outside.of"),
+    (ACCURACY, set_cell("boundary_rule", "open"), "cells[0].boundary_rule"),
+    (ACCURACY, set_cell("surprise", 1), "surprise"),
+    (ACCURACY, lambda d: d["cells"].append(d["cells"][0]), "already in"),
+    (
+        ACCURACY,
+        lambda d: d["cells"][0]["false_inside"].update(count=5021),
+        "cells[0].false_inside.count",
+    ),
+    ("machine.json", lambda d: d.pop("seed"), "'seed' is a required"),
+    ("machine.json", lambda d: d["cpu"].update(cores=0), "$.cpu.cores"),
+    ("machine.json", lambda d: d.update(surprise=1), "surprise"),
+    ("methods.json", lambda d: d["methods"][0].pop("formula"), "methods[0]"),
+]
+
+
+@pytest.mark.parametrize(("name", "change", "says"), BAD)
+def test_a_file_that_does_not_fit_is_refused_by_file_and_field(
+    small_run: Path, name: str, change: Callable[[Any], None], says: str
+) -> None:
+    edit(small_run / name, change)
+    with pytest.raises(LoadError) as error:
+        load_run(small_run)
+    assert str(small_run / name) in str(error.value)
+    assert says in str(error.value)
+
+
+@pytest.mark.parametrize("key", ["revision", "profile", "dirty", "seed"])
+@pytest.mark.parametrize("name", [SPEED, ACCURACY])
+def test_two_runs_in_one_folder_are_refused(
+    small_run: Path, name: str, key: str
+) -> None:
+    other = {"revision": "abc", "profile": "full", "dirty": True, "seed": 9}
+    document = json.loads((small_run / name).read_text())
+    context = document["context"].get("pitbench", document["context"])
+    context[key] = other[key]
+    (small_run / name).write_text(json.dumps(document))
+    with pytest.raises(LoadError, match="two runs are mixed"):
+        load_run(small_run)
+
+
+def test_one_cell_in_two_shards_is_refused(small_run: Path) -> None:
+    text = (small_run / SPEED).read_text()
+    (small_run / "speed-again.json").write_text(text)
+    with pytest.raises(LoadError, match="is already in speed-again.json"):
+        load_run(small_run)
+
+
+def test_a_missing_folder_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(LoadError, match="no such folder"):
+        load_run(tmp_path / "nowhere")
+
+
+@pytest.mark.parametrize("kind", ["speed", "accuracy"])
+def test_speed_without_accuracy_is_refused_and_the_reverse(
+    small_run: Path, kind: str
+) -> None:
+    for path in small_run.glob(f"{kind}-*.json"):
+        path.unlink()
+    with pytest.raises(LoadError, match=f"no {kind}"):
+        load_run(small_run)
+
+
+@pytest.mark.parametrize("name", [SPEED, ACCURACY, "machine.json", "methods.json"])
+def test_a_file_that_was_cut_off_is_refused(small_run: Path, name: str) -> None:
+    text = (small_run / name).read_text()
+    (small_run / name).write_text(text[: len(text) // 2])
+    with pytest.raises(LoadError, match="is not JSON") as error:
+        load_run(small_run)
+    assert name in str(error.value)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"", b"\xff\xfe\x00", b"[" * 100_000, b'{"a": NaN}', b'{"a": 1e999}', b"7"],
+    ids=["empty", "not_text", "deep", "nan", "too_large", "no_object"],
+)
+def test_what_is_no_json_of_ours_is_refused(small_run: Path, content: bytes) -> None:
+    (small_run / SPEED).write_bytes(content)
+    with pytest.raises(LoadError, match=SPEED):
+        load_run(small_run)
+
+
+JSON = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats()
+    | st.text(max_size=8)
+    | st.sampled_from([10**400, 2**63, -1, "NaN", "", 1e308, 5e-324]),
+    lambda inner: st.lists(inner, max_size=3)
+    | st.dictionaries(st.text(max_size=5), inner, max_size=3),
+    max_leaves=6,
+)
+
+
+def places(document: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    """The path of everything inside a JSON document."""
+    inside: list[tuple[Any, ...]] = [path] if path else []
+    keys: Any = []
+    if isinstance(document, dict):
+        keys = document
+    elif isinstance(document, list):
+        keys = range(min(len(document), 3))
+    for key in keys:
+        inside += places(document[key], (*path, key))
+    return inside
+
+
+FILES = documents(TWO_METHODS)
+PLACES = {name: places(document) for name, document in FILES.items()}
+
+
+@settings(
+    max_examples=150,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
+@given(data=st.data())
+def test_a_mutated_file_is_loaded_or_refused_but_never_a_crash(
+    data: st.DataObject, tmp_path: Path
+) -> None:
+    folder = write_run(tmp_path / "mutated", TWO_METHODS)
+    name = data.draw(st.sampled_from(sorted(FILES)))
+    document = json.loads((folder / name).read_text())
+    *parents, last = data.draw(st.sampled_from(PLACES[name]))
+    inner = document
+    for key in parents:
+        inner = inner[key]
+    if isinstance(inner, dict) and data.draw(st.booleans()):
+        del inner[last]
+    else:
+        inner[last] = data.draw(JSON)
+    (folder / name).write_text(json.dumps(document))
+    try:
+        load_run(folder)
+    except LoadError as error:
+        assert name in str(error) or "mixed" in str(error)
+
+
+@settings(
+    max_examples=60,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
+@given(content=st.binary(max_size=60), cut=st.integers(0, 5000))
+def test_spoilt_bytes_are_loaded_or_refused_but_never_a_crash(
+    content: bytes, cut: int, tmp_path: Path
+) -> None:
+    folder = write_run(tmp_path / "spoilt", TWO_METHODS)
+    whole = (folder / SPEED).read_bytes()
+    (folder / SPEED).write_bytes(whole[:cut] + content + whole[cut + len(content) :])
+    try:
+        load_run(folder)
+    except LoadError as error:
+        assert SPEED in str(error)

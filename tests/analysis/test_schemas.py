@@ -1,0 +1,82 @@
+"""The schemas themselves: sound, and strict where the object is ours."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+import jsonschema
+import pytest
+
+from analysis.read_json import SCHEMAS, _validator
+from tests.analysis.conftest import TWO_METHODS
+from tests.analysis.synthetic import documents
+
+NAMES = ["machine", "speed", "accuracy", "methods"]
+
+
+def fits(name: str, document: Any) -> bool:
+    return bool(_validator(name).is_valid(document))
+
+
+def good(name: str) -> Any:
+    files = documents(TWO_METHODS)
+    return copy.deepcopy(next(d for f, d in files.items() if f.startswith(name)))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_schema_is_a_schema_and_fits_a_good_file(name: str) -> None:
+    jsonschema.Draft202012Validator.check_schema(_validator(name).schema)
+    assert fits(name, good(name))
+
+
+def test_there_is_no_schema_that_is_not_tested() -> None:
+    files = {path.name for path in SCHEMAS.iterdir()}
+    assert files == {f"{name}.schema.json" for name in NAMES}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_required_field_is_missed(name: str) -> None:
+    for key in _validator(name).schema["required"]:
+        document = good(name)
+        del document[key]
+        assert not fits(name, document), key
+
+
+def test_googles_own_objects_may_have_more() -> None:
+    document = good("speed")
+    document["context"]["library_version"] = "9"
+    document["benchmarks"][0]["label"] = "new"
+    assert fits("speed", document)
+
+
+def test_a_refused_row_needs_a_reason_and_no_numbers() -> None:
+    document = good("speed")
+    document["benchmarks"] = [{"name": "x", "error_occurred": True}]
+    assert not fits("speed", document)
+    document["benchmarks"][0]["error_message"] = "differs"
+    assert fits("speed", document)
+
+
+def test_a_row_that_is_not_refused_needs_its_numbers() -> None:
+    document = good("speed")
+    document["benchmarks"] = [{"name": "x", "error_occurred": False}]
+    assert not fits("speed", document)
+
+
+@pytest.mark.parametrize(
+    ("point", "is_point"),
+    [
+        (["0x1p+0", "-0x1.8p-149"], True),
+        (["12", "-7"], True),
+        (["0.5", "1"], False),
+        (["0x1p+0"], False),
+        (["nan", "1"], False),
+        ([1, 2], False),
+    ],
+)
+def test_worst_points_are_hex_floats_or_integers(point: Any, is_point: bool) -> None:
+    document = good("accuracy")
+    cell = next(cell for cell in document["cells"] if cell["worst"])
+    cell["worst"][0]["p"] = point
+    assert fits("accuracy", document) == is_point
