@@ -6,6 +6,7 @@ import math
 
 import pandas as pd
 
+from analysis.cells import WEIGHTS_SUFFIX
 from analysis.palette import isa_rank, loop_rank
 from analysis.stats import pareto_frontier, wilson
 from analysis.tables import CELL_KEYS, parameter, reference_cells, sort_cells
@@ -22,7 +23,7 @@ def error_rates(accuracy: pd.DataFrame, by: list[str]) -> pd.DataFrame:
     own choice. So `of` = interior + exterior + degenerate.
     """
     rows = []
-    for key, group in accuracy.groupby(by, sort=True):
+    for key, group in accuracy.groupby(by if len(by) > 1 else by[0], sort=True):
         total = {c: int(group[c].sum()) for c in ["points", *COUNTS, *WRONG]}
         of = total["interior"] + total["exterior"] + total["degenerate"]
         wrong = total["false_outside"] + total["false_inside"]
@@ -49,9 +50,11 @@ def error_rates(accuracy: pd.DataFrame, by: list[str]) -> pd.DataFrame:
 
 def accuracy_loop(accuracy: pd.DataFrame) -> str | None:
     """The loop whose answers stand for the method: the one with most cells,
-    one_triangle first among equals.
+    one_triangle first among equals. Loops that also write weights answer by
+    the same formula and are left out.
     """
-    counts: dict[str, int] = accuracy["loop"].value_counts().to_dict()
+    plain = accuracy[~accuracy["loop"].str.endswith(WEIGHTS_SUFFIX)]
+    counts: dict[str, int] = plain["loop"].value_counts().to_dict()
     if not counts:
         return None
     return min(counts, key=lambda loop: (-counts[loop], loop_rank(loop)))

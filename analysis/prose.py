@@ -65,7 +65,7 @@ def facts(report: Report) -> dict[str, Any]:
         "scalar": report.scalar,
         "isa": report.isa,
         "scene": report.scene,
-        "scene_words": scene_words(report.scene),
+        "scene_words": scene_words(report),
         "accuracy_loop": report.accuracy_loop,
         "advice": advice(report),
         "uniform": uniform(report),
@@ -304,17 +304,15 @@ def method_texts(report: Report) -> list[dict[str, Any]]:
     return found
 
 
-def scene_words(scene: str | None) -> str:
+def scene_words(report: Report) -> str:
     """The reference scene in words."""
-    if scene is None:
+    rows = reference_cells(report.cells, report.scalar, MAIN_LOOP)
+    if report.scene is None or not len(rows):
         return ""
-    parsed = parse_scene(scene)
-    parts = []
-    if parsed.get("n"):
-        parts.append(f"{counted(int(parsed.number('n')), 'point')} a call")
-    if parsed.get("hit"):
-        parts.append(f"{parsed.get('hit')} % of them inside")
-    return ", ".join(parts)
+    items, size = rows["items"].median(), rows["working_set_bytes"].median()
+    hit = parse_scene(report.scene).get("hit")
+    words = f"{counted(round(items), 'point')} a call ({size_in_bytes(size)})"
+    return words + (f", {hit} % of them inside" if hit else "")
 
 
 def _with_note(column: Column, row: dict[str, Any]) -> str:

@@ -17,6 +17,10 @@ from analysis.cells import WEIGHTS_SUFFIX, parse_scene
 from analysis.palette import is_autovec, isa_rank, loop_rank, method_rank
 from analysis.stats import median_interval, ratio_interval
 
+# Fits into the first-level data cache of every CPU of the last decade (32 KiB),
+# and is long enough that a call's own cost does not show.
+REFERENCE_BYTES = 24 * 1024
+
 CELL_KEYS = ["loop", "scene", "method", "scalar", "isa"]
 
 
@@ -129,22 +133,23 @@ def compared(
 
 def reference_scene(cells: pd.DataFrame, loop: str = "one_triangle") -> str | None:
     """The scene on which methods are compared: uniform and fresh, the hit rate
-    nearest to one half, the number of items nearest to 4096 (which fits into
-    the nearest cache whatever the scalar).
+    nearest to one half, a call's arrays nearest in size to REFERENCE_BYTES.
     """
     of_loop = cells[(cells["loop"] == loop) & (cells["family"] == "uniform")]
-    scenes = [s for s in of_loop["scene"].unique() if "sets=fixed" not in s]
+    sizes: dict[str, float] = {}
+    for scene, group in of_loop.groupby("scene", sort=True):
+        if "sets=fixed" not in scene:
+            sizes[scene] = float(group["working_set_bytes"].median())
 
     def distance(scene: str) -> tuple[float, float, str]:
-        parsed = parse_scene(scene)
-        hit, items = parsed.number("hit"), parsed.number("n")
+        hit, size = parse_scene(scene).number("hit"), sizes[scene]
         return (
             abs(hit - 50) if hit == hit else math.inf,
-            abs(math.log2(items / 4096)) if items > 0 else math.inf,
+            abs(math.log2(size / REFERENCE_BYTES)) if size > 0 else math.inf,
             scene,
         )
 
-    return min(scenes, key=distance) if scenes else None
+    return min(sizes, key=distance) if sizes else None
 
 
 def widest_isa(cells: pd.DataFrame) -> str | None:

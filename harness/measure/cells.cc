@@ -68,8 +68,8 @@ std::vector<Profile> MakeProfiles() {
   Profile quick{.name = "quick",
                 .speed = {},
                 .accuracy = {},
-                .accuracy_size = {.groups = 400, .size = 67},
-                .seconds_per_sample = 4e-3};
+                .accuracy_size = {.groups = 1600, .size = 67},
+                .seconds_per_sample = 10e-3};
   AddUniform(quick.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
   AddUniform(quick.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
   AddGrid(quick.speed, {"grid_80x50:sets=fresh", "grid_80x50:sets=fixed"});
@@ -81,7 +81,7 @@ std::vector<Profile> MakeProfiles() {
                .speed = {},
                .accuracy = {},
                .accuracy_size = {.groups = 4000, .size = 67},
-               .seconds_per_sample = 2e-2};
+               .seconds_per_sample = 5e-2};
   AddUniform(full.speed,
              {"uniform:hit=50:bytes=24k:sets=fresh",
               "uniform:hit=50:bytes=512k:sets=fresh"},
