@@ -47,7 +47,7 @@ HARDNESSES = (
     Hardness(
         "needle",
         "aspect",
-        "length of the triangle over its height",
+        "length of the triangle over height",
         "aspect of a needle",
         "grows",
         True,
@@ -55,7 +55,7 @@ HARDNESSES = (
     Hardness(
         "offset",
         "ratio",
-        "distance from the origin over size of the triangle",
+        "distance from the origin over size",
         "distance from the origin",
         "grows",
         True,
@@ -109,13 +109,33 @@ def _panel(axes: Any, table: pd.DataFrame, hardness: Hardness, rates: RateAxis) 
             markersize=3,
             markerfacecolor="white" if look.variant else look.colour,
         )
+    _zero_whiskers(axes, table, rates, place)
     values = sorted(table["at"].unique())
     shown = values[:: max(1, -(-len(values) // 8))]
     name: Callable[[float], str] = power_of_two if hardness.is_power else plain
     names = {place(value): name(value) for value in shown}
     ticks_at(axes.xaxis, lambda position: names.get(position, ""), list(names))
-    axes.set_xlabel(f"{hardness.axis} (log scale)", fontsize=8.5)
+    axes.set_xlabel(f"{hardness.axis} (log scale)   harder →", fontsize=8.5)
     axes.margins(x=0.03)
+    if hardness.harder == "falls":
+        axes.invert_xaxis()
+
+
+def _zero_whiskers(
+    axes: Any, table: pd.DataFrame, rates: RateAxis, place: Callable[[float], float]
+) -> None:
+    """From the lane of zeros, whose place is no number, up to the largest rate
+    that they leave possible: one whisker for all methods at a value.
+    """
+    zeros = table[table["error_rate"] == 0].groupby("at")["error_rate_high"].max()
+    axes.vlines(
+        [place(at) for at in zeros.index],
+        rates.zero,
+        [min(high, rates.top) for high in zeros],
+        color=palette.FAINT,
+        linewidth=0.9,
+        zorder=1,
+    )
 
 
 def _band(
@@ -125,9 +145,7 @@ def _band(
     rates: RateAxis,
     look: palette.MethodStyle,
 ) -> None:
-    """The Wilson interval: a band along rates that are drawn to scale, and
-    whiskers up from zeros, whose place on the axis is no number.
-    """
+    """The Wilson interval along the rates that are drawn to scale."""
     positive = [rate > 0 for rate in rows["error_rate"]]
     axes.fill_between(
         at,
@@ -137,19 +155,6 @@ def _band(
         color=look.colour,
         alpha=0.14,
         linewidth=0,
-    )
-    zeros = [
-        (position, high)
-        for position, high, drawn in zip(at, rows["error_rate_high"], positive)
-        if not drawn
-    ]
-    axes.vlines(
-        [position for position, _ in zeros],
-        rates.zero,
-        [min(high, rates.top) for _, high in zeros],
-        color=look.colour,
-        alpha=0.3,
-        linewidth=0.9,
     )
 
 
@@ -168,7 +173,8 @@ def _labels(table: pd.DataFrame, hardness: Hardness, rates: RateAxis) -> list[La
     place = _places(table, hardness)
     labels = []
     for method in sorted(table["method"].unique(), key=palette.method_rank):
-        last = table[table["method"] == method].sort_values("at").iloc[-1]
+        rows = table[table["method"] == method].sort_values("at")
+        last = rows.iloc[0 if hardness.harder == "falls" else -1]
         look = palette.method_style(method)
         labels.append(
             Label(

@@ -15,6 +15,13 @@ COUNTS = ["interior", "exterior", "boundary", "degenerate"]
 WRONG = ["false_outside", "false_inside", "boundary_accepted"]
 
 
+RATE_COLUMNS = (
+    ["error_rate", "error_rate_low", "error_rate_high", "wrong", "of"]
+    + [*WRONG, *COUNTS, "smallest_ulps", "largest_ulps"]
+    + ["accepts", "boundary_rule", "scenes"]
+)
+
+
 def error_rates(accuracy: pd.DataFrame, by: list[str]) -> pd.DataFrame:
     """Wrong answers and their share, the cells of a group pooled.
 
@@ -22,30 +29,30 @@ def error_rates(accuracy: pd.DataFrame, by: list[str]) -> pd.DataFrame:
     the boundary are counted apart, because the rule for them is the method's
     own choice. So `of` = interior + exterior + degenerate.
     """
-    rows = []
-    for key, group in accuracy.groupby(by if len(by) > 1 else by[0], sort=True):
-        total = {c: int(group[c].sum()) for c in ["points", *COUNTS, *WRONG]}
-        of = total["interior"] + total["exterior"] + total["degenerate"]
-        wrong = total["false_outside"] + total["false_inside"]
-        share = wilson(wrong, of)
-        rows.append(
-            {
-                **dict(zip(by, key if isinstance(key, tuple) else (key,))),
-                "error_rate": share.value,
-                "error_rate_low": share.low,
-                "error_rate_high": share.high,
-                "wrong": wrong,
-                "of": of,
-                **{column: total[column] for column in (*WRONG, *COUNTS)},
-                "smallest_ulps": group["smallest_ulps"].astype(float).min(),
-                "largest_ulps": group["largest_ulps"].astype(float).max(),
-                "accepts": group["accepts"].iloc[0],
-                "boundary_rule": group["boundary_rule"].iloc[0],
-                "scenes": group["scene"].nunique(),
-            }
+    counts = ["points", *COUNTS, *WRONG]
+    distances = ["smallest_ulps", "largest_ulps"]
+    numbers = dict.fromkeys(counts, "int64") | dict.fromkeys(distances, "float64")
+    groups = accuracy.astype(numbers).groupby(by, sort=True)
+    table = groups[counts].sum()
+    of = table["interior"] + table["exterior"] + table["degenerate"]
+    wrong = table["false_outside"] + table["false_inside"]
+    shares = [wilson(int(w), int(n)) for w, n in zip(wrong, of)]
+    return (
+        table.assign(
+            error_rate=[share.value for share in shares],
+            error_rate_low=[share.low for share in shares],
+            error_rate_high=[share.high for share in shares],
+            wrong=wrong,
+            of=of,
+            smallest_ulps=groups["smallest_ulps"].min(),
+            largest_ulps=groups["largest_ulps"].max(),
+            accepts=groups["accepts"].first(),
+            boundary_rule=groups["boundary_rule"].first(),
+            scenes=groups["scene"].nunique(),
         )
-    columns = list(rows[0]) if rows else [*by, "error_rate", "wrong", "of"]
-    return pd.DataFrame(rows, columns=columns)
+        .reset_index()
+        .reindex(columns=[*by, *RATE_COLUMNS])
+    )
 
 
 def accuracy_loop(accuracy: pd.DataFrame) -> str | None:
@@ -112,13 +119,14 @@ def isa_agreement(accuracy: pd.DataFrame) -> pd.DataFrame:
     """One row a loop × scene × method × scalar that more than one ISA answered:
     whether they all gave the same counts.
     """
-    rows = []
     keys = ["loop", "scene", "method", "scalar"]
-    for key, group in accuracy.groupby(keys, sort=True):
-        if len(group) > 1:
-            counts = group[[*WRONG, *COUNTS]].drop_duplicates()
-            rows.append({**dict(zip(keys, key)), "agree": len(counts) == 1})
-    return pd.DataFrame(rows, columns=[*keys, "agree"])
+    groups = accuracy.groupby(keys, sort=True)
+    different = groups[[*WRONG, *COUNTS]].nunique().max(axis=1)
+    return (
+        pd.DataFrame({"agree": different == 1})[groups.size() > 1]
+        .reset_index()
+        .reindex(columns=[*keys, "agree"])
+    )
 
 
 def weights_accuracy(accuracy: pd.DataFrame) -> pd.DataFrame:

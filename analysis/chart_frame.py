@@ -240,6 +240,11 @@ def per_second(axis: Any) -> None:
                 return f"{value / size:g} {unit}"
         return f"{value:g}"
 
+    low, high = axis.get_view_interval()
+    steps = (1, 2, 5) if high / low < 300 else (1,)
+    ticks = [m * 10.0**e for e in range(0, 16) for m in steps]
+    axis.set_major_locator(FixedLocator([t for t in ticks if low <= t <= high]))
+    axis.set_minor_locator(NullLocator())
     axis.set_major_formatter(FuncFormatter(name))
 
 

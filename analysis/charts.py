@@ -70,9 +70,9 @@ def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
         axes.set_xlabel(
             f"points decided per second, {scalar} (log scale)      better  →"
         )
-        per_second(axes.xaxis)
-        axes.xaxis.set_minor_formatter("")
         axes.margins(x=0.03)
+        axes.autoscale_view()
+        per_second(axes.xaxis)
         label_column(axes, labels)
         _isa_legend(figure, table)
         front = table[table["on_frontier"]].sort_values("items_per_second")
@@ -167,7 +167,8 @@ def scaling(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
     """
     methods = sorted(table["method"].unique(), key=palette.method_rank)
     isas = sorted(table["isa"].unique(), key=palette.isa_rank)
-    columns = min(4, len(methods))
+    # The fewest empty places, and of equals the wider.
+    columns = min((4, 3, len(methods)), key=lambda c: (-len(methods) % c, -c))
     lines = math.ceil(len(methods) / columns)
     top = float(table["times_scalar_high"].max())
     with style():
@@ -200,7 +201,7 @@ def scaling(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
             _scaling_panel(axes, rows, places, look, top)
             axes.set_title(
                 methods[index],
-                fontsize=8.5,
+                fontsize=8,
                 color=look.colour,
                 loc="left",
                 weight="bold",
@@ -307,13 +308,19 @@ def fixed_against_fresh(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
         axes.set_xlim(low / 1.03, high * 1.03)
         scale = " (log scale)" if high > 3 else ""
         axes.set_xlabel(
-            f"time on fresh points ÷ time on fixed points{scale}; 1 = no difference"
+            f"time on fresh input ÷ time on fixed input{scale}; 1 = no difference"
         )
         _isa_legend_without_frontier(figure, isas)
+        low_ends, high_ends = (
+            table["fresh_over_fixed_low"],
+            table["fresh_over_fixed_high"],
+        )
+        apart = int(((low_ends > 1) | (high_ends < 1)).sum())
         largest = table.loc[table["fresh_over_fixed"].idxmax()]
         title = (
-            f"Fresh against fixed points, {scalar}: {times(largest['fresh_over_fixed'])}"
-            f" the time at most ({largest['method']}, {largest['isa']})"
+            f"Fresh against fixed input, {scalar}: {times(largest['fresh_over_fixed'])}"
+            f" the time at most ({largest['method']}, {largest['isa']}); "
+            f"{apart} of {len(table)} intervals leave out 1"
         )
         alt = f"{title}. " + " ".join(
             f"{row.method} on {row.isa}: {times(row.fresh_over_fixed)}."

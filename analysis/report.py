@@ -12,8 +12,10 @@ from analysis import accuracy_tables, columns, noise, tables
 from analysis.accuracy_charts import HARDNESSES, errors_along
 from analysis.charts import fixed_against_fresh, hero, loops, scaling
 from analysis.exhibits import Exhibits
+from analysis.palette import method_rank
 from analysis.run import Run
 from analysis.verdicts import Advice, advise, verdicts
+from analysis.wording import listed
 
 # The page stays below its 5 MB whatever the profile; the CSV has every row.
 MOST_ROWS = 1500
@@ -51,8 +53,8 @@ def build(run: Run) -> Report:
     if len(table):
         exhibits.table(
             "verdicts",
-            f"Every method at its best: {scalar} on {isa}, one triangle against fresh "
-            "points. “Needles” and “far away” give the largest error rate "
+            f"Every method at its best: {scalar} on {isa}, one triangle, fresh "
+            "input. “Needles” and “far away” give the largest error rate "
             "along the scenes of that family.",
             table,
             columns.VERDICTS,
@@ -129,9 +131,19 @@ def _add_scaling(
                 scaling(rows, scalar, footer),
                 f"Speed by instruction set, {scalar}, over the scalar row of the same "
                 "method. Hollow bars are a plain loop that the compiler vectorised. "
-                "Whiskers are 95 % intervals of the ratio.",
+                "Whiskers are 95 % intervals of the ratio."
+                + _without_scalar(cells, rows, scalar),
                 rows,
             )
+
+
+def _without_scalar(cells: pd.DataFrame, shown: pd.DataFrame, scalar: str) -> str:
+    """A sentence on the methods that have nothing to be compared with."""
+    every = tables.reference_cells(cells, scalar, MAIN_LOOP)["method"]
+    missing = sorted(set(every) - set(shown["method"]), key=method_rank)
+    if not missing:
+        return ""
+    return f" Without a scalar row, and so not shown: {listed(missing)}."
 
 
 def _add_errors(
@@ -188,7 +200,7 @@ def _add_fixed(
         one_scene = main[main["scene"] == main["scene"].iloc[0]]
         exhibits.figure(
             fixed_against_fresh(one_scene, scalar, footer),
-            "The same kernel on many rotating sets of points over one set used again "
+            "The same kernel on other input at every call, over the same input again "
             "and again. Whiskers are 95 % intervals.",
             one_scene,
         )

@@ -100,7 +100,7 @@ def _verdict(row: pd.Series, table: pd.DataFrame) -> str:
         refused = row["false_outside"] / max(row["interior"], 1)
         return (
             "decides another question: only the third of the triangle nearest to "
-            f"vertex A, and so refuses {share(refused)} of the points inside here"
+            f"vertex A, and so refuses {share(refused)} of the interior points near an edge"
         )
     whole = table[(table["accepts"] == WHOLE) & table["error_rate"].notna()]
     better = whole[

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 
 NONE = "–"
 
+# Between a number and its unit, so that no line ends there.
+JOIN = "\u00a0"
+
 
 def significant(value: float, digits: int = 3) -> str:
     """`value` rounded to so many digits, without an exponent."""
@@ -30,15 +33,15 @@ def grouped(value: int) -> str:
 
 
 def nanoseconds(value: float) -> str:
-    return significant(value) + " ns"
+    return f"{significant(value)}{JOIN}ns"
 
 
 def rate_of_items(per_second: float) -> str:
     """12.3e9 → 12.3 G/s."""
     for unit, size in (("G", 1e9), ("M", 1e6), ("k", 1e3)):
         if per_second >= size:
-            return f"{significant(per_second / size)} {unit}/s"
-    return significant(per_second) + " /s"
+            return f"{significant(per_second / size)}{JOIN}{unit}/s"
+    return f"{significant(per_second)}{JOIN}/s"
 
 
 def share(value: float) -> str:
@@ -48,19 +51,19 @@ def share(value: float) -> str:
     if value == 0:
         return "0"
     if value >= 0.001:
-        return significant(100 * value) + " %"
+        return f"{significant(100 * value)}{JOIN}%"
     return significant(1e6 * value) + " in a million"
 
 
 def share_between(low: float, high: float) -> str:
     """A range of shares in one unit."""
     if high >= 0.001:
-        return f"{significant(100 * low)} to {significant(100 * high)} %"
+        return f"{significant(100 * low)} to {significant(100 * high)}{JOIN}%"
     return f"{significant(1e6 * low)} to {significant(1e6 * high)} in a million"
 
 
 def times(value: float) -> str:
-    return significant(value) + " ×"
+    return f"{significant(value)}{JOIN}×"
 
 
 def between(low: float, high: float) -> str:
@@ -99,8 +102,8 @@ def spoken(count: float) -> str:
 def size_in_bytes(value: float) -> str:
     for unit, size in (("GiB", 2**30), ("MiB", 2**20), ("KiB", 2**10)):
         if value >= size:
-            return f"{significant(value / size)} {unit}"
-    return f"{significant(value)} B"
+            return f"{significant(value / size)}{JOIN}{unit}"
+    return f"{significant(value)}{JOIN}B"
 
 
 def plain(value: float) -> str:
