@@ -36,8 +36,8 @@ void AddHard(std::vector<ProfileScene>& scenes, int step) {
   }
 }
 
-void AddUniform(std::vector<ProfileScene>& scenes,
-                std::initializer_list<const char*> names, bool weights) {
+void AddScenes(std::vector<ProfileScene>& scenes,
+               std::initializer_list<const char*> names, bool weights) {
   for (const Scalar scalar : {Scalar::kF32, Scalar::kF64}) {
     for (const char* name : names) {
       scenes.push_back({name, kFloatLoops, scalar, weights});
@@ -52,14 +52,20 @@ void AddGrid(std::vector<ProfileScene>& scenes,
   }
 }
 
+// Hard scenes that are timed. Their sets share no points, so a call does not
+// find them in L1; all of them together fit a megabyte or two, so in L2.
+constexpr SceneSize kHardSpeedSize{.groups = 64, .size = 512};
+
 std::vector<Profile> MakeProfiles() {
   Profile tiny{.name = "tiny",
                .speed = {},
                .accuracy = {},
                .accuracy_size = {.groups = 16, .size = 67},
+               .speed_size = {.groups = 4, .size = 67},
                .seconds_per_sample = 1e-4};
-  AddUniform(tiny.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
-  AddUniform(tiny.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
+  AddScenes(tiny.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
+  AddScenes(tiny.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
+  AddScenes(tiny.speed, {"near_edge:ulps=1:sets=fresh"}, false);
   AddGrid(tiny.speed, {"grid_80x50:sets=fresh"});
   AddGrid(tiny.accuracy, {"grid_80x50:sets=fixed"});
   AddHard(tiny.accuracy, 8);
@@ -69,11 +75,12 @@ std::vector<Profile> MakeProfiles() {
                 .speed = {},
                 .accuracy = {},
                 .accuracy_size = {.groups = 1600, .size = 67},
+                .speed_size = kHardSpeedSize,
                 .seconds_per_sample = 10e-3};
-  AddUniform(quick.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
-  AddUniform(quick.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
+  AddScenes(quick.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
+  AddScenes(quick.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
   AddGrid(quick.speed, {"grid_80x50:sets=fresh", "grid_80x50:sets=fixed"});
-  AddUniform(quick.accuracy, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
+  AddScenes(quick.accuracy, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
   AddGrid(quick.accuracy, {"grid_80x50:sets=fresh"});
   AddHard(quick.accuracy, 2);
 
@@ -81,19 +88,25 @@ std::vector<Profile> MakeProfiles() {
                .speed = {},
                .accuracy = {},
                .accuracy_size = {.groups = 4000, .size = 67},
+               .speed_size = kHardSpeedSize,
                .seconds_per_sample = 5e-2};
-  AddUniform(full.speed,
-             {"uniform:hit=50:bytes=24k:sets=fresh",
-              "uniform:hit=50:bytes=512k:sets=fresh"},
-             true);
-  AddUniform(full.speed,
-             {"uniform:hit=50:bytes=24k:sets=fixed",
-              "uniform:hit=10:bytes=24k:sets=fresh",
-              "uniform:hit=90:bytes=24k:sets=fresh",
-              "uniform:hit=50:bytes=64M:sets=fresh"},
-             false);
+  AddScenes(full.speed,
+            {"uniform:hit=50:bytes=24k:sets=fresh",
+             "uniform:hit=50:bytes=512k:sets=fresh"},
+            true);
+  AddScenes(full.speed,
+            {"uniform:hit=50:bytes=24k:sets=fixed",
+             "uniform:hit=10:bytes=24k:sets=fresh",
+             "uniform:hit=90:bytes=24k:sets=fresh",
+             "uniform:hit=50:bytes=64M:sets=fresh"},
+            false);
+  AddScenes(full.speed,
+            {"near_edge:ulps=1:sets=fresh", "near_edge:ulps=1:sets=fixed",
+             "needle:aspect=12:sets=fresh", "needle:aspect=12:sets=fixed",
+             "offset:ratio=8:sets=fresh", "offset:ratio=8:sets=fixed"},
+            false);
   AddGrid(full.speed, {"grid_80x50:sets=fresh", "grid_80x50:sets=fixed"});
-  AddUniform(full.accuracy, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
+  AddScenes(full.accuracy, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
   AddGrid(full.accuracy, {"grid_80x50:sets=fresh"});
   AddHard(full.accuracy, 1);
   return {tiny, quick, full};

@@ -25,7 +25,8 @@ struct Profile {
   std::string_view name;
   std::vector<ProfileScene> speed;
   std::vector<ProfileScene> accuracy;
-  SceneSize accuracy_size;    // of the scenes for accuracy
+  SceneSize accuracy_size;    // of the scenes that do not name their own
+  SceneSize speed_size;
   double seconds_per_sample;  // how long one repetition lasts, at the least
 };
 

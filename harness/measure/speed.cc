@@ -145,7 +145,7 @@ SpeedRun MeasureSpeed(const Profile& profile, const std::regex& filter,
     const std::vector<const Kernel*> kernels = KernelsFor(listed, loop, filter);
     if (kernels.empty()) return;
     registry.Add(std::make_shared<const Scene<T>>(MakeScene<T>(
-                     ParseScene(listed.name), loop, SceneSize{}, seed)),
+                     ParseScene(listed.name), loop, profile.speed_size, seed)),
                  kernels);
   };
   for (const ProfileScene& listed : profile.speed) {

@@ -68,8 +68,9 @@ Scene<T> Assemble(const Family& family, const SceneSpec& spec, Loop loop,
                   SceneSize size, std::uint64_t seed) {
   Scene<T> scene{.name = spec.name, .loop = loop};
   Random random(
-      SeedFor(std::string(Name(loop)).append("/").append(spec.name), seed));
-  for (std::size_t group = 0; group < size.groups; ++group) {
+      SeedFor(std::string(Name(loop)).append("/").append(spec.Drawn()), seed));
+  const std::size_t groups = spec.Fresh() ? size.groups : 1;
+  for (std::size_t group = 0; group < groups; ++group) {
     scene.calls.push_back({scene.ax.size(), scene.px.size(), size.size});
     if (loop == Loop::kOneTriangle) {
       const Triangle<T> triangle = family.DrawTriangle(random);

@@ -15,8 +15,9 @@ namespace pitbench {
 
 inline constexpr std::uint64_t kDefaultSeed = 1;
 
-// How much a scene for accuracy holds: `groups` calls of `size` items each.
-// Scenes that name their own size (uniform, grid_80x50) do not use it.
+// How much a scene holds: `groups` calls of `size` items each, one call where
+// its sets are fixed. Scenes that name their own size (uniform, grid_80x50) do
+// not use it.
 struct SceneSize {
   std::size_t groups = 1;
   std::size_t size = 1;

@@ -25,16 +25,17 @@ const std::vector<FamilyInfo>& Families() {
   static const std::vector<FamilyInfo> families = {
       {"uniform", "hit:bytes:sets",
        "Points uniform in the unit square, triangles that cover hit percent of "
-       "it; a call reads about `bytes`. sets=fresh takes another triangle (for "
-       "one_point and pairs: other points) at every call, sets=fixed always "
-       "the same."},
-      {"near_edge", "ulps",
+       "it; a call reads about `bytes`. sets=fresh (as without it) takes "
+       "another "
+       "triangle, for one_point and pairs other points, at every call; "
+       "sets=fixed always the same."},
+      {"near_edge", "ulps:sets",
        "Points rounded onto an edge of a well-shaped triangle in the unit "
        "square and then moved off it by this many representable numbers."},
-      {"needle", "aspect",
+      {"needle", "aspect:sets",
        "Triangles of length 1 and altitude 2^-aspect in any direction; points "
        "around them within twice their altitude."},
-      {"offset", "ratio",
+      {"offset", "ratio:sets",
        "Well-shaped triangles and points in a unit square whose corner is at "
        "(2^ratio, 2^ratio)."},
       {"grid_80x50", "sets",
@@ -66,12 +67,18 @@ std::int64_t SceneSpec::Number(std::string_view key, std::int64_t low,
 }
 
 bool SceneSpec::Fresh() const {
-  const std::string& sets = parameters.find("sets")->second;
+  const auto found = parameters.find("sets");
+  if (found == parameters.end()) return true;
+  const std::string& sets = found->second;
   if (sets != "fresh" && sets != "fixed") {
     throw SceneError("scene '" + name +
                      "': sets must be fresh or fixed, not '" + sets + "'");
   }
   return sets == "fresh";
+}
+
+std::string SceneSpec::Drawn() const {
+  return name.substr(0, name.rfind(":sets="));
 }
 
 SceneSpec ParseScene(std::string_view name) {
@@ -90,6 +97,9 @@ SceneSpec ParseScene(std::string_view name) {
   std::vector<std::string_view> keys;
   if (!family.parameters.empty()) keys = Split(family.parameters, ':');
   parts.erase(parts.begin());
+  if (parts.size() + 1 == keys.size() && keys.back() == "sets") {
+    keys.pop_back();
+  }
   bool fits = parts.size() == keys.size();
   for (std::size_t k = 0; fits && k < keys.size(); ++k) {
     const std::size_t equals = parts[k].find('=');

@@ -27,13 +27,18 @@ struct SceneSpec {
   // [low, high]. A suffix k or M stands for 2^10 or 2^20.
   std::int64_t Number(std::string_view key, std::int64_t low,
                       std::int64_t high) const;
-  // Whether parameter `sets` is `fresh` (else it is `fixed`).
+  // Whether parameter `sets` is `fresh`, as it is where the name does not give
+  // it (else it is `fixed`).
   bool Fresh() const;
+  // The name without `sets`: what the random numbers depend on, so that the
+  // fixed twin of a scene is the first set of the fresh one.
+  std::string Drawn() const;
 };
 
 struct FamilyInfo {
   std::string_view name;
-  std::string_view parameters;  // in the order in which names give them
+  std::string_view parameters;  // in the order in which names give them;
+                                // a last `sets` may be left out of a name
   std::string_view describes;
 };
 

@@ -101,7 +101,7 @@ Scene<T> UniformScene(const SceneSpec& spec, Loop loop, std::uint64_t seed) {
   Scene<T> scene{.name = spec.name, .loop = loop};
   // The fixed twin draws the same numbers, so its set is the first fresh one.
   std::string drawn(Name(loop));
-  drawn.append("/").append(spec.name, 0, spec.name.rfind(":sets="));
+  drawn.append("/").append(spec.Drawn());
   Random points(SeedFor(drawn + "/points", seed));
   Random triangles(SeedFor(drawn + "/triangles", seed));
   // Pairs: set k pairs the triangles with the points from k cache lines on.
