@@ -22,6 +22,7 @@ constexpr char kExamples[] = R"(Examples:
   pitbench classify --method truth --scalar f32 cases.csv
   pitbench speed --filter 'one_triangle/.*/edge_function/f32/' --out speed.json
   pitbench accuracy --filter '/near_edge:.*/uv_projection/' --out accuracy.json
+  pitbench accuracy --scene needle:aspect=14 --out needle.json
   pitbench speed --triangles T.csv --points P.csv --out own.json
   pitbench shards --profile full
 Exit codes: 0 done, 1 a check did not hold, 2 the input or the call was wrong.)";

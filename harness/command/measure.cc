@@ -25,6 +25,7 @@ struct Arguments {
   std::string out;
   std::string triangles;
   std::string points;
+  std::vector<std::string> scenes;
   std::uint64_t seed = kDefaultSeed;
 };
 
@@ -39,7 +40,8 @@ std::regex Filter(const std::string& text) {
 
 json Context(const char* schema, const Arguments& a) {
   return {{"schema", schema},
-          {"profile", a.triangles.empty() ? a.profile : "custom"},
+          {"profile",
+           a.triangles.empty() && a.scenes.empty() ? a.profile : "custom"},
           {"filter", a.filter},
           {"revision", Revision()},
           {"dirty", Dirty()},
@@ -83,10 +85,16 @@ std::vector<Scene<T>> OwnScenes(const Arguments& a) {
   return scenes;
 }
 
-void CheckOwn(const Arguments& a) {
+// The profile that was asked for, with the scenes that were asked for.
+Profile Asked(const Arguments& a) {
   if (a.triangles.empty() != a.points.empty()) {
     throw InputError("--triangles and --points go together: give both files");
   }
+  if (!a.triangles.empty() && !a.scenes.empty()) {
+    throw InputError("--scene and --triangles exclude each other: give one");
+  }
+  const Profile& profile = FindProfile(a.profile);
+  return a.scenes.empty() ? profile : WithScenes(profile, a.scenes);
 }
 
 [[noreturn]] void NoCells(const Arguments& a) {
@@ -96,9 +104,8 @@ void CheckOwn(const Arguments& a) {
 }
 
 void Accuracy(const Arguments& a) {
-  CheckOwn(a);
+  const Profile profile = Asked(a);
   const std::regex filter = Filter(a.filter);
-  const Profile& profile = FindProfile(a.profile);
   OutputFile out(a.out);
   json cells = json::array();
   if (a.triangles.empty()) {
@@ -125,9 +132,8 @@ void Accuracy(const Arguments& a) {
 }
 
 void Speed(const Arguments& a) {
-  CheckOwn(a);
+  const Profile profile = Asked(a);
   const std::regex filter = Filter(a.filter);
-  const Profile& profile = FindProfile(a.profile);
   OutputFile out(a.out);
   const int cpu = PinToLastCpu();
   const double clock_before = ClockGhz();
@@ -164,6 +170,11 @@ std::shared_ptr<Arguments> AddMeasurement(CLI::App& command) {
   command.add_option("--filter", a->filter,
                      "only cells (loop/scene/method/scalar/isa) in which this "
                      "regular expression is found");
+  command
+      .add_option("--scene", a->scenes,
+                  "this scene (again for more) instead of the profile's, e.g. "
+                  "near_edge:ulps=3; see pitbench list")
+      ->allow_extra_args(false);
   command.add_option("--triangles", a->triangles,
                      "your own scene: CSV with the header ax,ay,bx,by,cx,cy");
   command.add_option("--points", a->points,

@@ -124,6 +124,21 @@ const Profile& FindProfile(std::string_view name) {
   throw SceneError(NoSuch("profile", name, names));
 }
 
+Profile WithScenes(const Profile& profile,
+                   const std::vector<std::string>& scenes) {
+  Profile chosen = profile;
+  chosen.speed.clear();
+  for (const std::string& name : scenes) {
+    if (ParseScene(name).family == "grid_80x50") {
+      AddGrid(chosen.speed, {name.c_str()});
+    } else {
+      AddScenes(chosen.speed, {name.c_str()}, true);
+    }
+  }
+  chosen.accuracy = chosen.speed;
+  return chosen;
+}
+
 std::vector<Shard> Shards(const Profile& profile) {
   // Speed: what is compared with each other, so each loop and scalar. Accuracy:
   // each family and scalar.

@@ -25,7 +25,7 @@ struct Profile {
   std::string_view name;
   std::vector<ProfileScene> speed;
   std::vector<ProfileScene> accuracy;
-  SceneSize accuracy_size;    // of the scenes that do not name their own
+  SceneSize accuracy_size;  // of the scenes that do not name their own
   SceneSize speed_size;
   double seconds_per_sample;  // how long one repetition lasts, at the least
 };
@@ -33,6 +33,11 @@ struct Profile {
 // The profiles `tiny` (for tests), `quick` and `full`. Throws SceneError for
 // another name.
 const Profile& FindProfile(std::string_view name);
+
+// The profile with these scenes, for every loop and scalar that they fit, in
+// place of its own. Throws SceneError for a name that is none.
+Profile WithScenes(const Profile& profile,
+                   const std::vector<std::string>& scenes);
 
 // A shard: the part of a profile that one process works off into one file.
 struct Shard {
