@@ -33,6 +33,13 @@ class Hardness:
     what: str
     harder: str  # "falls" or "grows": which way the parameter makes it hard
     is_power: bool  # the parameter is an exponent of two
+    worded: str  # a value of it in a sentence
+
+    def words(self, value: float) -> str:
+        """A value of the parameter as a sentence has it."""
+        return self.worded.format(
+            power_of_two(value) if self.is_power else plain(value)
+        )
 
 
 HARDNESSES = (
@@ -43,6 +50,7 @@ HARDNESSES = (
         "distance from the edge",
         "falls",
         False,
+        "{} ulps",
     ),
     Hardness(
         "needle",
@@ -51,6 +59,7 @@ HARDNESSES = (
         "aspect of a needle",
         "grows",
         True,
+        "an aspect of {}",
     ),
     Hardness(
         "offset",
@@ -59,6 +68,7 @@ HARDNESSES = (
         "distance from the origin",
         "grows",
         True,
+        "{} sizes",
     ),
 )
 

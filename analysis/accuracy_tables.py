@@ -158,8 +158,8 @@ def weights_accuracy(accuracy: pd.DataFrame) -> pd.DataFrame:
 
 
 def worst_answers(worst: pd.DataFrame) -> pd.DataFrame:
-    """Each wrong answer once, farthest from the boundary first, with the ISAs
-    that gave it.
+    """Each wrong answer once, with the ISAs that gave it: first the farthest
+    from the boundary of each method and scalar (place 1), then the next.
     """
     keys = ["method", "scalar", "kind", "distance_ulps", "a", "b", "c", "p"]
     keys += ["loop", "scene"]
@@ -168,10 +168,10 @@ def worst_answers(worst: pd.DataFrame) -> pd.DataFrame:
         .agg(lambda isas: ", ".join(sorted(isas, key=isa_rank)))
         .reset_index()
     )
-    order = ["distance_ulps", "method", "scalar", "scene", "kind", "p"]
-    return once.sort_values(
-        order, ascending=[False, *[True] * (len(order) - 1)]
-    ).reset_index(drop=True)
+    order = ["distance_ulps", "scene", "kind", "p", "a", "b", "c", "loop"]
+    once = once.sort_values(order, ascending=[False, *[True] * (len(order) - 1)])
+    place = once.groupby(["method", "scalar"]).cumcount() + 1
+    return sort_cells(once.assign(place=place), ["place", "method", "scalar"])
 
 
 def hardest(

@@ -23,7 +23,7 @@ from analysis.chart_frame import (
     style,
     ticks_at,
 )
-from analysis.wording import listed, share, significant, times
+from analysis.wording import listed, nanoseconds, share, significant, times
 
 
 def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
@@ -168,7 +168,8 @@ def scaling(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
     methods = sorted(table["method"].unique(), key=palette.method_rank)
     isas = sorted(table["isa"].unique(), key=palette.isa_rank)
     # The fewest empty places, and of equals the wider.
-    columns = min((4, 3, len(methods)), key=lambda c: (-len(methods) % c, -c))
+    most = min(4, len(methods))
+    columns = min((most, max(most - 1, 1)), key=lambda c: (-len(methods) % c, -c))
     lines = math.ceil(len(methods) / columns)
     top = float(table["times_scalar_high"].max())
     with style():
@@ -399,7 +400,7 @@ def loops(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
         )
         medians = table.groupby("loop")["ns"].median()
         title = f"By loop, {scalar}, {isa}: median over the methods " + listed(
-            [f"{significant(medians[name])} ns ({name})" for name in names]
+            [f"{nanoseconds(medians[name])} ({name})" for name in names]
         )
         alt = f"{title}. " + " ".join(
             f"{row.method}, {row.loop}: {significant(row.ns)} ns."

@@ -7,7 +7,6 @@ name, word of rank and verdict comes from the run's tables.
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -28,8 +27,6 @@ from analysis.wording import (
     counted,
     listed,
     nanoseconds,
-    plain,
-    power_of_two,
     share,
     share_between,
     significant,
@@ -114,6 +111,8 @@ def advice(report: Report) -> dict[str, Any] | None:
         "cost": times(taken.cost),
         "cost_interval": between(taken.cost_low, taken.cost_high),
         "alike": listed(others),
+        "as_fast": listed(list(taken.as_fast)),
+        "as_fast_count": len(taken.as_fast),
         "alike_count": len(others),
         "never_errs": bool(least == 0),
         "not_whole": [(method, row["verdict"]) for method, row in published.iterrows()],
@@ -167,16 +166,15 @@ def hard(report: Report, hardness: Hardness) -> dict[str, Any] | None:
     worst = along.groupby("method")["error_rate"].max()
     top = along.loc[along["error_rate"].idxmax()]
     clean = sorted(worst[worst == 0].index, key=palette.method_rank)
-    value: Callable[[float], str] = power_of_two if hardness.is_power else plain
     return {
         "most_method": top["method"],
         "most": share(top["error_rate"]),
-        "most_at": value(top["at"]),
+        "most_at": hardness.words(top["at"]),
         "methods": len(worst),
         "clean": listed(clean),
         "clean_count": len(clean),
-        "first": value(along["at"].min()),
-        "last": value(along["at"].max()),
+        "first": hardness.words(along["at"].min()),
+        "last": hardness.words(along["at"].max()),
     }
 
 

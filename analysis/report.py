@@ -179,8 +179,8 @@ def _add_worst(exhibits: Exhibits, run: Run) -> None:
     if len(worst):
         exhibits.table(
             "worst",
-            "The wrong answers farthest from the boundary. The coordinates can be "
-            "given as they are to pitbench classify.",
+            "For each method and scalar, the wrong answers farthest from the boundary. "
+            "The coordinates can be given as they are to pitbench classify.",
             worst,
             columns.WORST,
             MOST_WORST,

@@ -25,6 +25,7 @@ class Advice:
     """
 
     fastest: str
+    as_fast: tuple[str, ...]  # the others whose interval holds its time
     most_right: str
     alike: tuple[str, ...]
     cost: float  # time of most_right over that of fastest
@@ -85,6 +86,12 @@ def advise(table: pd.DataFrame) -> Advice | None:
     most_right = alike.loc[alike["ns"].idxmin()]
     return Advice(
         fastest=fastest["method"],
+        as_fast=tuple(
+            known[
+                (known["time_over_best_low"] <= 1)
+                & (known["method"] != fastest["method"])
+            ]["method"]
+        ),
         most_right=most_right["method"],
         alike=tuple(sorted(alike["method"], key=method_rank)),
         cost=most_right["time_over_best"],

@@ -12,11 +12,16 @@ JOIN = "\u00a0"
 
 
 def significant(value: float, digits: int = 3) -> str:
-    """`value` rounded to so many digits, without an exponent."""
+    """`value` rounded to so many digits; with a power of ten only where the
+    digits alone could not be read.
+    """
     if not math.isfinite(value):
         return NONE
     if value == 0:
         return "0"
+    if not 1e-4 <= abs(value) < 1e7:
+        mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+        return f"{mantissa}·{power(10, int(exponent))}"
     places = digits - 1 - math.floor(math.log10(abs(value)))
     rounded = round(value, places)
     if rounded and math.floor(math.log10(abs(rounded))) > digits - 1 - places:
@@ -112,8 +117,14 @@ def plain(value: float) -> str:
 
 
 def power_of_two(exponent: float) -> str:
-    """-12 → 2⁻¹², with the digits that stand above the line."""
-    return "2" + f"{exponent:g}".translate(str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"))
+    """-12 → 2⁻¹²."""
+    return power(2, exponent)
+
+
+def power(base: int, exponent: float) -> str:
+    """With the digits that stand above the line."""
+    raised = f"{exponent:g}".translate(str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"))
+    return f"{base}{raised}"
 
 
 def listed(words: Sequence[str]) -> str:

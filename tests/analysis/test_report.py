@@ -1,0 +1,197 @@
+"""The report says what the data says, and says it the same way every time."""
+
+from __future__ import annotations
+
+import dataclasses
+import html
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from analysis.load import load_run
+from analysis.page import render, write_page
+from analysis.report import Report, build
+from analysis.verdicts import advise
+from tests.analysis.conftest import TWO_METHODS
+from tests.analysis.synthetic import Options, write_run
+
+FOUR = dataclasses.replace(
+    TWO_METHODS,
+    methods=(
+        "cross_product",
+        "edge_function",
+        "uv_projection",
+        "cross_solve_published",
+    ),
+)
+
+
+def text_of(folder: Path, options: Options) -> str:
+    """The words of the page of a run with these options."""
+    report = build(load_run(write_run(folder, options)))
+    page = render(report, "index.html.j2")
+    body = re.sub(r"<(svg|style|script).*?</\1>", " ", page, flags=re.DOTALL)
+    words = html.unescape(re.sub(r"<[^>]+>", " ", body)).replace("\u00a0", " ")
+    return re.sub(r"\s+([.,;:)])", r"\1", re.sub(r"\s+", " ", words))
+
+
+def test_the_prose_follows_the_data(tmp_path: Path) -> None:
+    before = text_of(tmp_path / "a", FOUR)
+    # As invented: edge_function is the fastest, cross_product the most right.
+    assert "edge_function was the fastest" in before
+    assert "cross_product erred least there" in before
+    slower = dataclasses.replace(FOUR, speed_factor=(("edge_function", 3.0),))
+    after = text_of(tmp_path / "b", slower)
+    assert "cross_product was both the fastest" in after
+    assert "edge_function was the fastest" not in after
+
+
+def test_a_method_without_errors_is_said_to_make_none(tmp_path: Path) -> None:
+    exact = dataclasses.replace(FOUR, error_factor=(("cross_product", 0.0),))
+    assert "cross_product made no error there at all" in text_of(tmp_path / "a", exact)
+
+
+def test_a_method_of_another_question_is_never_advised(tmp_path: Path) -> None:
+    quick = dataclasses.replace(FOUR, speed_factor=(("cross_solve_published", 0.01),))
+    report = build(load_run(write_run(tmp_path / "a", quick)))
+    assert report.advice is not None
+    assert report.advice.fastest == "edge_function"
+    words = text_of(tmp_path / "b", quick)
+    assert "cross_solve_published decides another question" in words
+
+
+def test_each_verdict_names_what_is_better(tmp_path: Path) -> None:
+    report = build(load_run(write_run(tmp_path / "a", FOUR)))
+    said = dict(zip(report.verdicts["method"], report.verdicts["verdict"]))
+    assert said["edge_function"] == "the fastest; whatever errs less takes longer"
+    assert said["cross_product"] == "errs least; whatever is faster errs more"
+    assert said["uv_projection"].startswith("cross_product is 1.3")
+
+
+def test_a_tie_in_speed_is_said(tmp_path: Path) -> None:
+    # 1.9 ns and 1.6 ns a point, made equal.
+    tie = dataclasses.replace(FOUR, speed_factor=(("cross_product", 1.6 / 1.9),))
+    report = build(load_run(write_run(tmp_path / "a", tie)))
+    assert report.advice is not None
+    assert {report.advice.fastest, *report.advice.as_fast} == {
+        "cross_product",
+        "edge_function",
+    }
+
+
+def test_without_judged_answers_there_is_no_advice(report: Report) -> None:
+    assert advise(report.verdicts.assign(error_rate=float("nan"))) is None
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        (FOUR, "This run is quiet."),
+        (dataclasses.replace(FOUR, twin_ratio=1.2), "This run is noisy."),
+        (
+            dataclasses.replace(FOUR, clock_after=3.0),
+            "the clock went from 3.50 to 3.00",
+        ),
+        (dataclasses.replace(FOUR, steal_percent=7.5), "took 7.5 % of the time"),
+    ],
+)
+def test_noise_stands_at_the_top(tmp_path: Path, options: Options, says: str) -> None:
+    words = text_of(tmp_path / "a", options)
+    assert says in words[: words.index("What is being asked")]
+
+
+def test_refused_cells_are_listed_with_their_reason(page: Path) -> None:
+    text = page.read_text()
+    assert "15 cells did not pass" in text
+    assert "17 of 4096 answers differ from truth" in text
+
+
+def test_the_command_of_every_shard_is_given(report: Report) -> None:
+    text = html.unescape(render(report, "index.html.j2"))
+    assert (
+        "build/pitbench speed --profile quick --filter '^pairs/.*/f64/' "
+        "--out speed-pairs-f64.json" in text
+    )
+    assert "./reproduce report" in text
+
+
+def test_all_sections_are_in_the_page_of_a_full_run(page: Path) -> None:
+    text = page.read_text()
+    keys = ["hero-f32", "hero-f64", "verdicts", "scaling-f32", "scaling-f64"]
+    keys += ["errors-near_edge", "errors-needle", "errors-offset", "worst"]
+    keys += ["fixed-f32", "fixed", "loops-f32", "loops", "grid", "weights"]
+    keys += ["weights_cost", "cells", "accuracy", "refused", "shards", "flags"]
+    assert [key for key in keys if f'id="{key}"' not in text] == []
+
+
+def test_exhibits_are_numbered_as_they_stand_in_the_page(page: Path) -> None:
+    for kind in ("Figure", "Table"):
+        captions = re.findall(rf"<b>{kind} (\d+)\.</b>", page.read_text())
+        assert captions == [str(n) for n in range(1, len(captions) + 1)]
+
+
+def test_the_page_is_one_small_file_that_needs_no_network(page: Path) -> None:
+    text = page.read_text()
+    assert page.stat().st_size <= 5_000_000
+    assert not re.search(r"(src|href)=\"(https?:)?//", text)
+    assert "@import" not in text and "url(http" not in text
+
+
+def test_every_picture_has_words_with_numbers(page: Path) -> None:
+    labels = re.findall(r'<svg role="img" aria-label="([^"]*)"', page.read_text())
+    assert len(labels) >= 9
+    assert all(len(label) > 60 and re.search(r"\d", label) for label in labels)
+
+
+def test_the_same_run_gives_the_same_bytes(run_folder: Path, page: Path) -> None:
+    again = write_page(build(load_run(run_folder)), page.parent.parent / "again")
+    files = sorted(p.relative_to(page.parent) for p in page.parent.rglob("*.*"))
+    assert len(files) >= 40
+    for file in files:
+        assert (again.parent / file).read_bytes() == (page.parent / file).read_bytes()
+
+
+def test_another_process_gives_the_same_bytes(small_run: Path) -> None:
+    pages = []
+    for seed in ("1", "2"):
+        out = small_run / seed
+        subprocess.run(
+            [sys.executable, "-m", "analysis", "report", small_run, "--out", out],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            check=True,
+        )
+        pages.append((out / "index.html").read_bytes())
+    assert pages[0] == pages[1]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {},
+        {"methods": ("cross_product",)},
+        {"isas": ("scalar",)},
+        {"scalars": ("f64",)},
+        {"repetitions": 1},
+        {"methods_json": False},
+        {"error_factor": (("cross_product", 0.0), ("edge_function", 0.0))},
+    ],
+    ids=lambda change: next(iter(change), "plain"),
+)
+def test_a_run_with_little_in_it_still_has_a_page(
+    tmp_path: Path, change: dict[str, object]
+) -> None:
+    options = dataclasses.replace(TWO_METHODS, **change)  # type: ignore[arg-type]
+    report = build(load_run(write_run(tmp_path / "a", options)))
+    assert write_page(report, tmp_path / "out").stat().st_size > 10_000
+
+
+def test_markup_in_the_data_is_shown_and_not_obeyed(tmp_path: Path) -> None:
+    run = load_run(write_run(tmp_path / "a", TWO_METHODS))
+    machine = dataclasses.replace(run.machine, model="<script>alert(1)</script>")
+    page = render(build(dataclasses.replace(run, machine=machine)), "index.html.j2")
+    assert "<script>alert(1)" not in page
+    assert "&lt;script&gt;alert(1)" in page
