@@ -87,9 +87,11 @@ std::vector<Kernel> JoinKernels() {
   return all;
 }
 
+#if HWY_ARCH_X86
 bool HighwayRuns(std::int64_t target) {
   return (hwy::SupportedTargets() & target) != 0;
 }
+#endif
 
 }  // namespace
 

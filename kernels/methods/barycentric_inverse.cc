@@ -4,8 +4,10 @@
 //   (w_a, w_b, w_c) = [A B C; 1 1 1]⁻¹ · (x, y, 1),   inside iff every w ≥ 0
 //
 // Set-up: a matrix inverse by Eigen (cofactors over the determinant), triangle
-// by triangle also where a vector of them is asked for. Per point: 6
-// multiplications, 6 additions, 3 compares: the third column is times 1.
+// by triangle also where a vector of them is asked for; the contract's check
+// for a degenerate triangle, whose determinant may round to more than 0. Per
+// point: 6 multiplications, 6 additions, 3 compares: the third column is
+// times 1.
 // Boundary: closed. Winding: any. Degenerate: contains nothing.
 // Fails: the determinant is formed from the coordinates themselves, not from
 // their differences, so it loses everything far from the origin: f32
@@ -34,7 +36,7 @@ class BarycentricInverse {
 
  public:
   HWY_INLINE BarycentricInverse(D d, const Triangles<D>& t)
-      : BarycentricInverse(d, Invert(d, t)) {}
+      : BarycentricInverse(d, Invert(d, t), DoubleArea(t)) {}
 
   template <class E>
   HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
@@ -54,16 +56,16 @@ class BarycentricInverse {
   }
 
  private:
-  HWY_INLINE BarycentricInverse(D d, const Inverse& inverse)
+  HWY_INLINE BarycentricInverse(D d, const Inverse& inverse, Vec<D> area)
       : ax_(d, hn::Load(d, inverse.at[0])),
         ay_(d, hn::Load(d, inverse.at[1])),
-        a1_(d, hn::Load(d, inverse.at[2])),
+        a1_(d, ValidOrNaN(d, area, hn::Load(d, inverse.at[2]))),
         bx_(d, hn::Load(d, inverse.at[3])),
         by_(d, hn::Load(d, inverse.at[4])),
-        b1_(d, hn::Load(d, inverse.at[5])),
+        b1_(d, ValidOrNaN(d, area, hn::Load(d, inverse.at[5]))),
         cx_(d, hn::Load(d, inverse.at[6])),
         cy_(d, hn::Load(d, inverse.at[7])),
-        c1_(d, hn::Load(d, inverse.at[8])) {}
+        c1_(d, ValidOrNaN(d, area, hn::Load(d, inverse.at[8]))) {}
 
   static HWY_INLINE Inverse Invert(D d, const Triangles<D>& t) {
     Inverse inverse;

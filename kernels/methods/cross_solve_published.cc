@@ -5,8 +5,9 @@
 //   s = (xa, xb, xc) × (ya, yb, yc), coordinates relative to P;
 //   inside iff s_b/s_a and s_c/s_a lie in [0, 1]
 //
-// Set-up: none. Per point: 9 subtractions, 6 multiplications, 2 divisions, 4
-// compares.
+// Set-up: none of its own; the contract's check for a triangle that is
+// degenerate or not finite. Per point: 9 subtractions, 6 multiplications, 2
+// divisions, 4 compares.
 // Boundary: closed, of what it accepts. Winding: any. Degenerate: contains
 // nothing.
 // Fails: accepts only the third of the triangle nearest A, where w_b ≤ w_a and
@@ -26,8 +27,8 @@ template <class D>
 class CrossSolvePublished {
  public:
   HWY_INLINE CrossSolvePublished(D d, const Triangles<D>& t)
-      : ax_(d, t.Ax()),
-        ay_(d, t.Ay()),
+      : ax_(d, ValidOrNaN(d, DoubleArea(t), t.Ax())),
+        ay_(d, ValidOrNaN(d, DoubleArea(t), t.Ay())),
         bx_(d, t.Bx()),
         by_(d, t.By()),
         cx_(d, t.Cx()),

@@ -4,8 +4,9 @@
 //   (u, v) = G⁻¹ · ((P − A)·(B − A), (P − A)·(C − A)),  G the Gram matrix of
 //   the two edges;   inside iff u ≥ 0, v ≥ 0 and u + v ≤ 1
 //
-// Set-up: Gram matrix and its inverse, one division. Per point: 2
-// subtractions, 8 multiplications, 5 additions, 3 compares.
+// Set-up: Gram matrix and its inverse, one division; the contract's check for
+// a degenerate triangle, whose Gram determinant may round to more than 0. Per
+// point: 2 subtractions, 8 multiplications, 5 additions, 3 compares.
 // Boundary: closed. Winding: any. Degenerate: contains nothing.
 // Fails: the Gram determinant is the square of the area, so it vanishes on
 // needles where the area does not: f32 (0, 0) (1, 0) (1, 0x1p-13). It
@@ -55,7 +56,8 @@ class UvProjection {
   HWY_INLINE UvProjection(D d, const Triangles<D>& t, Vec<D> bx, Vec<D> by,
                           Vec<D> cx, Vec<D> cy, Vec<D> bb, Vec<D> bc, Vec<D> cc)
       : UvProjection(d, t, bx, by, cx, cy, bb, bc, cc,
-                     Inverse(d, Sub(Mul(bb, cc), Mul(bc, bc)))) {}
+                     ValidOrNaN(d, DoubleArea(t),
+                                Inverse(d, Sub(Mul(bb, cc), Mul(bc, bc))))) {}
 
   HWY_INLINE UvProjection(D d, const Triangles<D>& t, Vec<D> bx, Vec<D> by,
                           Vec<D> cx, Vec<D> cy, Vec<D> bb, Vec<D> bc, Vec<D> cc,
