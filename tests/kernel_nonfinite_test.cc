@@ -1,0 +1,127 @@
+// A coordinate that is NaN or infinite, of a point or of a triangle, makes the
+// answer outside, in every kernel. The methods get there by arithmetic and not
+// by a test, each with its own reasoning (method-inl.h and the method files),
+// so all directions of edges and all combinations are tried.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "kernels/kernels.h"
+#include "tests/kernel_answers.h"
+
+namespace pitbench {
+namespace {
+
+template <class T>
+constexpr std::array<T, 3> kNotFinite = {std::numeric_limits<T>::quiet_NaN(),
+                                         std::numeric_limits<T>::infinity(),
+                                         -std::numeric_limits<T>::infinity()};
+
+// Triangles with whole vertices from 0 to 2: all combinations of the signs of
+// the edges' coordinates, zeros included. And some large and small enough that
+// differences or products overflow or underflow.
+template <class T>
+std::vector<Triangle<T>> FiniteTriangles() {
+  std::vector<Triangle<T>> triangles = WholeTriangles<T>(2);
+  const std::vector<Triangle<T>> whole = triangles;
+  using Limits = std::numeric_limits<T>;
+  for (const T scale :
+       {Limits::denorm_min(), Limits::min(), std::sqrt(Limits::min()),
+        std::sqrt(Limits::max()), Limits::max() / 2}) {
+    for (std::size_t k = 0; k < whole.size(); k += 5) {
+      const auto& [a, b, c] = whole[k];
+      triangles.push_back({{(a.x - 1) * scale, (a.y - 1) * scale},
+                           {(b.x - 1) * scale, (b.y - 1) * scale},
+                           {(c.x - 1) * scale, (c.y - 1) * scale}});
+    }
+  }
+  return triangles;
+}
+
+class KernelNonfiniteTest : public testing::TestWithParam<const Kernel*> {
+ protected:
+  template <class T>
+  void ExpectAllOutside(const std::vector<Triangle<T>>& triangles,
+                        const std::vector<Point<T>>& points) {
+    const AnswerTable<T> table = AskAll(*GetParam(), triangles, points);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        ASSERT_FALSE(table.Inside(t, p)) << points[p] << " in " << triangles[t];
+      }
+    }
+  }
+};
+
+TEST_P(KernelNonfiniteTest, PointWithNanOrInfinityIsOutside) {
+  WithFloatOf(*GetParam(), [&]<class T>(T) {
+    std::vector<Point<T>> points;
+    for (const T x : kNotFinite<T>) {
+      for (const T y : kNotFinite<T>) points.push_back({x, y});
+      // Those of the vertices, what lies between and beside them, and −0.
+      for (const double finite : {0.0, 1.0, 2.0, 0.5, -1.0, 3.0, -0.0}) {
+        points.push_back({x, static_cast<T>(finite)});
+        points.push_back({static_cast<T>(finite), x});
+      }
+    }
+    ExpectAllOutside(FiniteTriangles<T>(), points);
+  });
+}
+
+// One coordinate of the triangle, and every pair of its coordinates.
+TEST_P(KernelNonfiniteTest, TriangleWithNanOrInfinityContainsNothing) {
+  WithFloatOf(*GetParam(), [&]<class T>(T) {
+    const auto replaced = [](const Triangle<T>& t, int k, T value) {
+      Triangle<T> changed = t;
+      Point<T>& vertex = k < 2 ? changed.a : k < 4 ? changed.b : changed.c;
+      (k % 2 == 0 ? vertex.x : vertex.y) = value;
+      return changed;
+    };
+    std::vector<Triangle<T>> triangles;
+    for (const Triangle<T>& t : WholeTriangles<T>(2)) {
+      for (int k = 0; k < 6; ++k) {
+        for (const T x : kNotFinite<T>) triangles.push_back(replaced(t, k, x));
+      }
+    }
+    for (const Triangle<T>& t : WholeTriangles<T>(1)) {
+      for (int k = 0; k < 6; ++k) {
+        for (int j = 0; j < k; ++j) {
+          for (const T x : kNotFinite<T>) {
+            for (const T y : kNotFinite<T>) {
+              triangles.push_back(replaced(replaced(t, k, x), j, y));
+            }
+          }
+        }
+      }
+    }
+    ExpectAllOutside(triangles, WholePoints<T>(1));
+    const T infinity = std::numeric_limits<T>::infinity();
+    ExpectAllOutside<T>({{{infinity, infinity}, {1, 0}, {0, 1}},
+                         {{-infinity, -infinity}, {infinity, 0}, {0, infinity}},
+                         {{0, 0}, {infinity, 0}, {0, infinity}}},
+                        {{infinity, infinity}, {infinity, 0}, {0.25, 0.25}});
+  });
+}
+
+// NaN in the weights tells a degenerate triangle from a point far outside.
+TEST_P(KernelNonfiniteTest, DegenerateTriangleHasNanForWeights) {
+  if (GetParam()->output != Output::kWeights) return;
+  WithFloatOf(*GetParam(), [&]<class T>(T) {
+    const std::vector<Triangle<T>> triangles = {{{1, 2}, {3, 4}, {5, 6}},
+                                                {{1, 2}, {1, 2}, {5, 6}},
+                                                {{7, 7}, {7, 7}, {7, 7}}};
+    const AnswerTable<T> table =
+        AskAll(*GetParam(), triangles, WholePoints<T>(2));
+    for (const std::vector<T>& weights : table.weights) {
+      for (const T weight : weights) EXPECT_TRUE(std::isnan(weight));
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, KernelNonfiniteTest,
+                         testing::ValuesIn(FloatKernels()), KernelName());
+
+}  // namespace
+}  // namespace pitbench

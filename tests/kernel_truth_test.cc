@@ -1,0 +1,219 @@
+// Every method agrees with exact arithmetic where it has to: on uniform random
+// input, and where its own arithmetic is exact, boundary included.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "harness/measure/answers.h"
+#include "harness/scenes/generate.h"
+#include "harness/truth/orientation.h"
+#include "harness/truth/weights.h"
+#include "kernels/kernels.h"
+#include "tests/kernel_answers.h"
+
+namespace pitbench {
+namespace {
+
+template <class T>
+struct JudgedScene {
+  Scene<T> scene;
+  SceneTruth truth;
+};
+
+// The uniform scene of a loop, 256 sets of 4 kB (pairs: 32 of 32 kB), and its
+// truth.
+template <class T>
+const JudgedScene<T>& Uniform(Loop loop) {
+  static std::map<Loop, JudgedScene<T>> scenes;
+  const auto found = scenes.find(loop);
+  if (found != scenes.end()) return found->second;
+  const Scene<T> scene = MakeScene<T>(
+      ParseScene(loop == Loop::kPairs ? "uniform:hit=50:bytes=32k:sets=fresh"
+                                      : "uniform:hit=50:bytes=4k:sets=fresh"),
+      loop, {}, kDefaultSeed);
+  return scenes.emplace(loop, JudgedScene<T>{scene, JudgeScene(scene)})
+      .first->second;
+}
+
+class KernelTruthTest : public testing::TestWithParam<const Kernel*> {
+ protected:
+  bool AcceptsAThird() const {
+    return GetParam()->method.accepts == Accepts::kThirdNearVertexA;
+  }
+};
+
+TEST_P(KernelTruthTest, UniformPointsAreAllRight) {
+  if (AcceptsAThird()) return;
+  WithFloatOf(*GetParam(), [&]<class T>(T) {
+    const auto& [scene, truth] = Uniform<T>(GetParam()->loop);
+    EXPECT_GT(truth.interior, 1000u);
+    EXPECT_GT(truth.exterior, 1000u);
+    const Answers<T> answers = Ask(*GetParam(), scene, truth);
+    EXPECT_EQ(answers.wrong.size(), 0u);
+    EXPECT_EQ(answers.stray_bits, 0u);
+  });
+}
+
+// What a method should say of a point, its boundary rule and the part of the
+// triangle that it accepts included.
+template <class T>
+bool Expected(const Method& method, const Triangle<T>& t, const Point<T>& p) {
+  const Position position = Classify(t, p);
+  if (position != Position::kInside && position != Position::kBoundary) {
+    return false;
+  }
+  if (method.accepts == Accepts::kThirdNearVertexA) {
+    const std::array<mpq_class, 3> w = ExactWeights(t, p);
+    return w[0] >= w[1] && w[0] >= w[2];
+  }
+  return method.boundary == Boundary::kClosed || Orientation(t.b, t.c, p) != 0;
+}
+
+// Expected for every triangle with whole vertices up to 3 and every such
+// point, computed once for each kind of method.
+template <class T>
+const std::vector<bool>& ExpectedOnWholePoints(const Method& method) {
+  static std::map<std::pair<Boundary, Accepts>, std::vector<bool>> all;
+  std::vector<bool>& expected = all[{method.boundary, method.accepts}];
+  if (!expected.empty()) return expected;
+  for (const Triangle<T>& t : WholeTriangles<T>(3)) {
+    for (const Point<T>& p : WholePoints<T>(3)) {
+      expected.push_back(Expected(method, t, p));
+    }
+  }
+  return expected;
+}
+
+// Twice the area; exact for small whole coordinates.
+template <class T>
+double DoubleArea(const Triangle<T>& t) {
+  const auto wide = [](T x) { return static_cast<double>(x); };
+  return std::abs((wide(t.b.x) - wide(t.a.x)) * (wide(t.c.y) - wide(t.a.y)) -
+                  (wide(t.b.y) - wide(t.a.y)) * (wide(t.c.x) - wide(t.a.x)));
+}
+
+// On small whole coordinates every product and sum is exact, so every answer
+// has to be: edges, vertices, both windings, degenerate triangles. A method
+// that divides by the area is exact where that is a power of two.
+TEST_P(KernelTruthTest, ExactlyRepresentableInputIsRightOnTheBoundaryToo) {
+  const Kernel& kernel = *GetParam();
+  WithFloatOf(kernel, [&]<class T>(T) {
+    const std::vector<Triangle<T>> triangles = WholeTriangles<T>(3);
+    const std::vector<Point<T>> points = WholePoints<T>(3);
+    const std::vector<bool>& expected = ExpectedOnWholePoints<T>(kernel.method);
+    const AnswerTable<T> table = AskAll(kernel, triangles, points);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      int exponent = 0;
+      const double half = std::frexp(DoubleArea(triangles[t]), &exponent);
+      if (DividesByArea(kernel) && half != 0 && half != 0.5) continue;
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        ASSERT_EQ(table.Inside(t, p), expected[table.At(t, p)])
+            << points[p] << " in " << triangles[t];
+      }
+    }
+  });
+}
+
+// The rule by name, on one triangle: AB and AC are in, BC and its ends are not.
+TEST_P(KernelTruthTest, HalfOpenMeansAbAndAcInAndBcOut) {
+  const Kernel& kernel = *GetParam();
+  if (kernel.method.boundary != Boundary::kHalfOpen) return;
+  WithFloatOf(kernel, [&]<class T>(T) {
+    const Triangle<T> counter_clockwise{{1, 1}, {5, 1}, {1, 5}};
+    const Triangle<T> clockwise{{1, 1}, {1, 5}, {5, 1}};
+    for (const Triangle<T>& t : {counter_clockwise, clockwise}) {
+      for (const Point<T>& in :
+           {Point<T>{1, 1}, Point<T>{3, 1}, Point<T>{1, 3}, Point<T>{2, 2}}) {
+        EXPECT_TRUE(Says(kernel, t, in)) << in << " in " << t;
+      }
+      for (const Point<T>& out :
+           {Point<T>{5, 1}, Point<T>{1, 5}, Point<T>{3, 3}, Point<T>{2, 4}}) {
+        EXPECT_FALSE(Says(kernel, t, out)) << out << " in " << t;
+      }
+    }
+  });
+}
+
+// Interior points whose weights are all at least 1/1000 apart from each other
+// and from 0 leave rounding nothing to decide.
+TEST_P(KernelTruthTest, AThirdIsWhereTheWeightOfAIsLargest) {
+  if (!AcceptsAThird()) return;
+  WithFloatOf(*GetParam(), [&]<class T>(T) {
+    const auto& [scene, truth] = Uniform<T>(GetParam()->loop);
+    const Answers<T> answers = Ask(*GetParam(), scene, truth);
+    std::size_t accepted = 0;
+    std::size_t rejected = 0;
+    for (std::size_t c = 0; c < scene.calls.size(); c += 4) {
+      for (std::size_t i = 0; i < scene.calls[c].n; i += 3) {
+        const Triangle<T> t = scene.TriangleOf(scene.calls[c], i);
+        const Point<T> p = scene.PointOf(scene.calls[c], i);
+        if (!BitAt(truth.calls[c].inside, i)) continue;
+        const std::array<mpq_class, 3> w = ExactWeights(t, p);
+        const double lead = mpq_class(w[0] - std::max(w[1], w[2])).get_d();
+        if (std::abs(lead) < 1e-3) continue;
+        ASSERT_EQ(BitAt(answers.bits[c], i), lead > 0) << p << " in " << t;
+        ++(lead > 0 ? accepted : rejected);
+      }
+    }
+    EXPECT_GT(accepted, 50u);
+    EXPECT_GT(rejected, accepted);
+  });
+}
+
+// The largest coordinate over the smallest altitude.
+template <class T>
+double SizeOverAltitude(const Triangle<T>& t, const Point<T>& p) {
+  double size = 0;
+  for (const T x : {t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y, p.x, p.y}) {
+    size = std::max(size, std::abs(static_cast<double>(x)));
+  }
+  double longest = 0;
+  for (const auto& [v, w] :
+       {std::pair{t.a, t.b}, std::pair{t.b, t.c}, std::pair{t.c, t.a}}) {
+    longest = std::max(
+        longest,
+        std::hypot(static_cast<double>(w.x) - static_cast<double>(v.x),
+                   static_cast<double>(w.y) - static_cast<double>(v.y)));
+  }
+  return size * longest / DoubleArea(t);
+}
+
+// The bound: with M the largest coordinate and h the smallest altitude, every
+// method sums products of size M² with a few roundings each and divides by
+// twice the area, at least h² (Gram: by its square): the error of a weight is
+// k·u·(M/h)², with k about a dozen, doubled for good measure.
+TEST_P(KernelTruthTest, WeightsOfUniformPointsAreWithinTheBound) {
+  const Kernel& kernel = *GetParam();
+  if (kernel.output != Output::kWeights) return;
+  WithFloatOf(kernel, [&]<class T>(T) {
+    const auto& [scene, truth] = Uniform<T>(kernel.loop);
+    const Answers<T> answers = Ask(kernel, scene, truth);
+    const double u = static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
+    for (std::size_t c = 0; c < scene.calls.size(); c += 16) {
+      for (std::size_t i = 0; i < scene.calls[c].n; i += 7) {
+        const Triangle<T> t = scene.TriangleOf(scene.calls[c], i);
+        const Point<T> p = scene.PointOf(scene.calls[c], i);
+        const double ratio = SizeOverAltitude(t, p);
+        const std::array<mpq_class, 3> exact = ExactWeights(t, p);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const mpq_class computed(
+              static_cast<double>(answers.weights[k][c][i]));
+          ASSERT_LE(std::abs(mpq_class(computed - exact[k]).get_d()),
+                    24 * u * ratio * ratio)
+              << "weight " << k << " of " << p << " in " << t;
+        }
+      }
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, KernelTruthTest,
+                         testing::ValuesIn(FloatKernels()), KernelName());
+
+}  // namespace
+}  // namespace pitbench
