@@ -188,7 +188,17 @@ std::string_view Name(Loop loop, Output output) {
 }
 
 std::string_view Name(Boundary boundary) {
-  return boundary == Boundary::kClosed ? "closed" : "half_open";
+  switch (boundary) {
+    case Boundary::kClosed:
+      return "closed";
+    case Boundary::kOpen:
+      return "open";
+    case Boundary::kHalfOpen:
+      return "half_open";
+    case Boundary::kTopLeft:
+      return "top_left";
+  }
+  return "?";
 }
 
 std::string_view Name(Accepts accepts) {

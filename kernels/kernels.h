@@ -45,7 +45,12 @@ enum class Output { kInside, kWeights };
 // Which points of the triangle's boundary count as inside.
 enum class Boundary {
   kClosed,    // all of them
+  kOpen,      // none
   kHalfOpen,  // those of edges AB and AC, without B and C; not those of BC
+  kTopLeft,   // those of top and of left edges, so that of the triangles around
+              // an edge or a vertex exactly one contains it. With y upwards: a
+              // left edge has the triangle on its right, a top edge is
+              // horizontal and has the triangle below.
 };
 
 // The part of the triangle that a method accepts.

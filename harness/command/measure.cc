@@ -164,7 +164,7 @@ void Speed(const Arguments& a) {
 }
 
 std::shared_ptr<Arguments> AddMeasurement(CLI::App& command) {
-  const auto a = std::make_shared<Arguments>();
+  auto a = std::make_shared<Arguments>();
   command.add_option("--profile", a->profile, "tiny, quick or full")
       ->capture_default_str();
   command.add_option("--filter", a->filter,

@@ -122,6 +122,7 @@ nlohmann::json Run(double seconds) {
       "--benchmark_repetitions=" + std::to_string(kRepetitions),
       "--benchmark_min_time=" + std::to_string(seconds)};
   std::vector<char*> argv;
+  argv.reserve(flags.size());
   for (std::string& flag : flags) argv.push_back(flag.data());
   int argc = static_cast<int>(argv.size());
   benchmark::Initialize(&argc, argv.data());
