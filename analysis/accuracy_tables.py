@@ -72,6 +72,13 @@ def accuracy_cells(accuracy: pd.DataFrame) -> pd.DataFrame:
     return sort_cells(error_rates(accuracy, ["family", *CELL_KEYS]))
 
 
+def same_counts_joined(cells: pd.DataFrame) -> pd.DataFrame:
+    """`accuracy_cells` with one row for all ISAs that gave the same counts."""
+    others = [column for column in cells.columns if column != "isa"]
+    joined = cells.groupby(others, sort=False, dropna=False)["isa"].agg(", ".join)
+    return joined.reset_index().reindex(columns=cells.columns)
+
+
 def errors_along(
     accuracy: pd.DataFrame, family: str, key: str, scalar: str, isa: str
 ) -> pd.DataFrame:

@@ -16,8 +16,21 @@ def word(key: str, title: str) -> Column:
     return Column(title, lambda row: str(row[key]), numeric=False)
 
 
+def sentence(key: str, title: str) -> Column:
+    return Column(title, lambda row: str(row[key]), numeric=False, wraps=True)
+
+
 def number(key: str, title: str, hint: str = "") -> Column:
     return Column(title, lambda row: significant(row[key]), sort=key, hint=hint)
+
+
+def ratio(key: str, title: str) -> Column:
+    """A ratio near 1, where the third place matters."""
+
+    def show(row: Row) -> str:
+        return f"{row[key]:.3f}" if row[key] == row[key] else wording.NONE
+
+    return Column(title, show, sort=key)
 
 
 def whole(key: str, title: str) -> Column:
@@ -118,7 +131,7 @@ CELLS = (
     ),
 )
 ACCURACY = (
-    *PLACE,
+    *PLACE[:-1],
     rate_with_interval("error_rate", "error rate"),
     whole("wrong", "wrong"),
     whole("of", "of"),
@@ -127,6 +140,7 @@ ACCURACY = (
     part("boundary accepted", "boundary", "boundary_accepted"),
     number("smallest_ulps", "nearest error", "ulps from the boundary"),
     number("largest_ulps", "farthest error", "ulps from the boundary"),
+    word("isa", "ISAs"),
 )
 VERDICTS = (
     word("method", "method"),
@@ -135,7 +149,7 @@ VERDICTS = (
     rate_above_interval("error_rate", "errors near an edge"),
     rate("worst_needle", "needles, worst"),
     rate("worst_offset", "far away, worst"),
-    word("verdict", "verdict"),
+    sentence("verdict", "verdict"),
 )
 FIXED = (
     *PLACE,
@@ -175,13 +189,13 @@ WEIGHTS_COST = (
     number("ns", "ns/item"),
     with_interval("weights_over_bits", "× without weights"),
 )
-REFUSED = (*PLACE, word("reason", "why it was not timed"))
+REFUSED = (*PLACE, sentence("reason", "why it was not timed"))
 SHARDS = (
     word("shard", "shard"),
     word("verdict", "verdict"),
     whole("pairs", "A/A pairs"),
-    number("smallest_ratio", "smallest A/A ratio"),
-    number("largest_ratio", "largest A/A ratio"),
+    ratio("smallest_ratio", "smallest A/A ratio"),
+    ratio("largest_ratio", "largest A/A ratio"),
     number("clock_before_ghz", "clock before, GHz"),
     number("clock_after_ghz", "after, GHz"),
     percent("clock_drift", "drift"),
@@ -206,4 +220,8 @@ WORST = (
     word("p", "p"),
     word("isa", "ISAs"),
 )
-FLAGS = (word("source", "source"), word("isas", "for"), word("flags", "flags"))
+FLAGS = (
+    sentence("source", "source"),
+    word("isas", "for"),
+    sentence("flags", "flags"),
+)

@@ -24,6 +24,7 @@ class Column:
     sort: str | None = None
     numeric: bool = True
     hint: str = ""
+    wraps: bool = False  # holds sentences, which may take several lines
 
 
 @dataclasses.dataclass(frozen=True)
@@ -77,8 +78,11 @@ class Exhibits:
         data: pd.DataFrame,
         columns: Sequence[Column],
         most_rows: int | None = None,
+        csv: pd.DataFrame | None = None,
     ) -> None:
-        """Shows the first `most_rows` rows in the page; the CSV has them all."""
+        """Shows the first `most_rows` rows in the page. The CSV has them all, or
+        is `csv` where the page shows the data in another form.
+        """
         shown = data if most_rows is None else data.head(most_rows)
         number = 1 + sum(e.kind == "Table" for e in self)
         self._all[key] = Exhibit(
@@ -86,7 +90,7 @@ class Exhibits:
             number,
             key,
             caption,
-            data,
+            data if csv is None else csv,
             columns=tuple(columns),
             rows=tuple(
                 tuple(_shown(column, row) for column in columns)

@@ -162,8 +162,12 @@ def catalogue(options: Options) -> dict[str, Any]:
         "loops": [*LOOPS, "grid"],
         "scalars": ["f32", "f64", "i32"],
         "scenes": [
-            {"name": "uniform", "describes": "points spread evenly"},
-            {"name": "near_edge", "describes": "points beside an edge"},
+            {
+                "name": "uniform",
+                "parameters": "hit:n:sets",
+                "describes": "spread evenly",
+            },
+            {"name": "near_edge", "parameters": "ulps", "describes": "beside an edge"},
         ],
         "kernels": 321,
     }

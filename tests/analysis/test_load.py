@@ -98,7 +98,7 @@ BAD = [
     (SPEED, lambda d: d["benchmarks"].append(d["benchmarks"][0]), "is there twice"),
     (ACCURACY, set_cell("method", "edge_function_fma"), "cells[0].method"),
     (ACCURACY, set_cell("interior", 4901), "cells[0].false_outside.of"),
-    (ACCURACY, set_cell("boundary_rule", "open"), "cells[0].boundary_rule"),
+    (ACCURACY, set_cell("boundary_rule", "shut"), "cells[0].boundary_rule"),
     (ACCURACY, set_cell("surprise", 1), "surprise"),
     (ACCURACY, lambda d: d["cells"].append(d["cells"][0]), "already in"),
     (

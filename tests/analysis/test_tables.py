@@ -187,6 +187,19 @@ def test_boundary_points_are_neither_right_nor_wrong() -> None:
     assert rates.set_index("method").loc["cross_product", "of"] == 400
 
 
+def test_isas_with_the_same_counts_are_one_row() -> None:
+    scene = "near_edge:ulps=1"
+    cells = {
+        name("a", "scalar", scene): (9, 1, 9, 1),
+        name("a", "avx2", scene): (9, 1, 9, 1),
+        name("a", "avx512", scene): (9, 0, 9, 0),
+    }
+    table = accuracy_tables.same_counts_joined(
+        accuracy_tables.accuracy_cells(accuracy_frame(cells))
+    )
+    assert dict(zip(table["isa"], table["wrong"])) == {"scalar, avx2": 2, "avx512": 0}
+
+
 def test_errors_along_a_parameter_are_in_its_order() -> None:
     along = accuracy_tables.errors_along(
         accuracy_frame(HARD), "near_edge", "ulps", "f32", "avx2"
