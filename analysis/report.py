@@ -23,6 +23,11 @@ MOST_WORST = 60
 
 MAIN_LOOP = "one_triangle"
 
+_LANE = (
+    " Marks in the grey lane made no error at all; the whisker above them ends at "
+    "the largest rate that this leaves possible."
+)
+
 
 @dataclasses.dataclass(frozen=True)
 class Report:
@@ -114,8 +119,7 @@ def _add_heroes(
                 f"Speed against error, {scalar}. Each mark is one method compiled for "
                 "one instruction set, at the median of its repetitions; whiskers are "
                 "95 % intervals. The black line is the frontier: nothing lies below "
-                "it and to its right. Marks in the grey lane made no error at all; "
-                "their whisker ends at the largest rate that this leaves possible.",
+                "it and to its right." + _LANE * bool((marks["error_rate"] == 0).any()),
                 marks,
             )
 
@@ -165,9 +169,10 @@ def _add_errors(
         if parts:
             exhibits.figure(
                 errors_along(parts, hardness, str(isa), footer),
-                f"Error rate against {hardness.axis} ({isa}). Bands and whiskers are "
-                "Wilson intervals; the grey lane holds the rates that are exactly "
-                "zero.",
+                f"Error rate against {hardness.axis} ({isa}). Bands are Wilson "
+                "intervals."
+                + _LANE
+                * any((part["error_rate"] == 0).any() for part in parts.values()),
                 pd.concat(
                     [part.assign(scalar=scalar) for scalar, part in parts.items()]
                 ),
