@@ -9,16 +9,14 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "harness/truth/orientation.h"
+#include "tests/real_world_cases.h"
 
 namespace pitbench {
 namespace {
@@ -30,50 +28,16 @@ void ExpectPosition(const Triangle<T>& triangle, const Point<T>& p,
   EXPECT_EQ(Name(ClassifyExactly(triangle, p)), expected) << id;
 }
 
-struct Case {
-  std::string id, scalar, truth;
-  std::array<double, 8> at;  // ax, ay, …, py
-};
-
-// tests/cases/real_world.csv; its columns are
-// id,scalar,source,ax,ay,bx,by,cx,cy,px,py,truth,note.
-std::vector<Case> RealWorldCases() {
-  std::ifstream file(PITBENCH_TESTS_DIR "/cases/real_world.csv");
-  std::string line;
-  std::getline(file, line);
-  std::vector<Case> cases;
-  while (std::getline(file, line)) {
-    std::vector<std::string> fields;
-    std::stringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) {
-      fields.push_back(field);
-    }
-    Case& one = cases.emplace_back();
-    one.id = fields.at(0);
-    one.scalar = fields.at(1);
-    one.truth = fields.at(11);
-    for (std::size_t k = 0; k < 8; ++k) {
-      one.at[k] = std::strtod(fields.at(3 + k).c_str(), nullptr);
-    }
-  }
-  return cases;
-}
-
 template <class T>
-void ExpectTruthOf(const Case& one) {
-  std::array<T, 8> v;
-  for (std::size_t k = 0; k < 8; ++k) {
-    v[k] = static_cast<T>(one.at[k]);
-    EXPECT_EQ(static_cast<double>(v[k]), one.at[k]) << one.id;
-  }
-  ExpectPosition<T>({{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}}, {v[6], v[7]},
-                    one.truth, one.id);
+void ExpectTruthOf(const RealWorldCase& one) {
+  EXPECT_TRUE(one.Fits<T>()) << one.id;
+  ExpectPosition(one.TriangleAs<T>(), one.PointAs<T>(), one.truth, one.id);
 }
 
 TEST(TruthTest, AgreesWithEveryRealWorldCase) {
-  const std::vector<Case> cases = RealWorldCases();
+  const std::vector<RealWorldCase> cases = RealWorldCases();
   EXPECT_EQ(cases.size(), 26u);
-  for (const Case& one : cases) {
+  for (const RealWorldCase& one : cases) {
     if (one.scalar == "f32") {
       ExpectTruthOf<float>(one);
     } else {

@@ -1,0 +1,101 @@
+// One method gives the same answers, to the last bit of its weights, whatever
+// it was compiled for: the arithmetic is IEEE's, lane by lane, and nothing is
+// contracted unless the method says so. On hard scenes, where one rounding
+// more or less shows.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "harness/measure/answers.h"
+#include "harness/scenes/generate.h"
+#include "kernels/kernels.h"
+#include "tests/kernel_answers.h"
+
+namespace pitbench {
+namespace {
+
+// The kernels of one method, scalar and loop, ISA by ISA.
+std::vector<std::vector<const Kernel*>> Groups() {
+  std::map<std::tuple<std::string_view, Scalar, Loop, Output>,
+           std::vector<const Kernel*>>
+      groups;
+  for (const Kernel* kernel : FloatKernels()) {
+    groups[{kernel->method.key, kernel->scalar, kernel->loop, kernel->output}]
+        .push_back(kernel);
+  }
+  std::vector<std::vector<const Kernel*>> found;
+  for (const auto& [key, kernels] : groups) found.push_back(kernels);
+  return found;
+}
+
+class IsaAgreementTest
+    : public testing::TestWithParam<std::vector<const Kernel*>> {};
+
+template <class T>
+bool SameWeights(const Array<T>& x, const Array<T>& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] != y[i] && (x[i] == x[i] || y[i] == y[i])) return false;
+  }
+  return x.size() == y.size();
+}
+
+TEST_P(IsaAgreementTest, EveryIsaGivesTheSameBitsOnHardScenes) {
+  const std::vector<const Kernel*>& kernels = GetParam();
+  WithFloatOf(*kernels[0], [&]<class T>(T) {
+    const bool wide = sizeof(T) == 8;
+    for (const char* name : {"near_edge:ulps=0", "near_edge:ulps=1",
+                             wide ? "needle:aspect=24" : "needle:aspect=10",
+                             wide ? "offset:ratio=40" : "offset:ratio=12"}) {
+      const Scene<T> scene =
+          MakeScene<T>(ParseScene(name), kernels[0]->loop,
+                       {.groups = 50, .size = 67}, kDefaultSeed);
+      const SceneTruth truth = JudgeScene(scene);
+      const Answers<T> first = Ask(*kernels[0], scene, truth);
+      for (std::size_t k = 1; k < kernels.size(); ++k) {
+        const Answers<T> other = Ask(*kernels[k], scene, truth);
+        const std::string pair = name + std::string(": ") +
+                                 NameOf(*kernels[0]) + " and " +
+                                 std::string(Name(kernels[k]->isa));
+        EXPECT_TRUE(other.bits == first.bits) << pair;
+        for (std::size_t w = 0; w < 3; ++w) {
+          ASSERT_EQ(other.weights[w].size(), first.weights[w].size());
+          for (std::size_t c = 0; c < first.weights[w].size(); ++c) {
+            EXPECT_TRUE(SameWeights(other.weights[w][c], first.weights[w][c]))
+                << pair << ", weight " << w << " of call " << c;
+          }
+        }
+      }
+    }
+  });
+}
+
+// Else the test above shows nothing: these scenes are not easy.
+TEST(IsaAgreementScenesTest, HardScenesAreHard) {
+  for (const Kernel* kernel : FloatInsideKernels()) {
+    if (kernel->isa != Isa::kScalar || kernel->scalar != Scalar::kF32) continue;
+    const Scene<float> scene =
+        MakeScene<float>(ParseScene("near_edge:ulps=0"), kernel->loop,
+                         {.groups = 50, .size = 67}, kDefaultSeed);
+    EXPECT_GT(Ask(*kernel, scene, JudgeScene(scene)).wrong.size(), 20u)
+        << NameOf(*kernel);
+  }
+}
+
+std::string GroupName(
+    const testing::TestParamInfo<std::vector<const Kernel*>>& group) {
+  const Kernel& kernel = *group.param[0];
+  return std::string(kernel.method.key)
+      .append("_")
+      .append(Name(kernel.scalar))
+      .append("_")
+      .append(Name(kernel.loop, kernel.output));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, IsaAgreementTest, testing::ValuesIn(Groups()),
+                         GroupName);
+
+}  // namespace
+}  // namespace pitbench
