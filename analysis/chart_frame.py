@@ -15,9 +15,10 @@ import matplotlib
 matplotlib.use("agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator  # noqa: E402
 
-from analysis.palette import GRID, INK  # noqa: E402
+from analysis.palette import GRID, INK, isa_marker  # noqa: E402
 
 # hashsalt and path outlines: the same data gives the same bytes, and the
 # letters look the same whatever fonts the reader has.
@@ -179,6 +180,33 @@ def label_column(axes: Any, labels: Sequence[Label], size: float = 8.5) -> None:
             weight="bold" if label.bold else "normal",
             va="center_baseline",
         )
+
+
+def isa_legend(figure: Any, isas: Sequence[str], more: Sequence[Any] = ()) -> None:
+    """The marks of the ISAs in a row below the axes, and `more` behind them."""
+    marks = {isa: isa_marker(isa) for isa in isas}
+    handles = [
+        Line2D(
+            [],
+            [],
+            linestyle="",
+            marker=marker,
+            markersize=9 if marker == "*" else 6,
+            color="#666666",
+            label=isa,
+        )
+        for isa, marker in marks.items()
+    ]
+    handles.extend(more)
+    figure.legend(
+        handles=handles,
+        loc="lower left",
+        bbox_to_anchor=(0.075, 0.26 / figure.get_size_inches()[1]),
+        ncol=len(handles),
+        fontsize=8.5,
+        handletextpad=0.3,
+        columnspacing=1.2,
+    )
 
 
 class RateAxis:

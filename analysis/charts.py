@@ -10,154 +10,16 @@ from typing import Any
 
 import matplotlib.pyplot as plt
 import pandas as pd
-from matplotlib.lines import Line2D
 
 from analysis import palette
 from analysis.chart_frame import (
     Chart,
-    Label,
-    RateAxis,
     finish,
-    label_column,
-    per_second,
+    isa_legend,
     style,
     ticks_at,
 )
-from analysis.wording import listed, nanoseconds, share, significant, times
-
-
-def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
-    """Speed against error: one mark a method × ISA, the frontier drawn.
-
-    `table`: tables.speed_against_error, without rows whose error is unknown.
-    """
-    with style():
-        figure, axes = plt.subplots(figsize=(10, 6.2))
-        figure.subplots_adjust(left=0.1, right=0.735, top=0.885, bottom=0.2)
-        rates = RateAxis(list(table["error_rate"]), list(table["error_rate_high"]))
-        axes.set_xscale("log")
-        labels = []
-        for method in sorted(table["method"].unique(), key=palette.method_rank):
-            rows = table[table["method"] == method].sort_values("items_per_second")
-            look = palette.method_style(method)
-            heights = [rates.at(rate) for rate in rows["error_rate"]]
-            axes.plot(
-                rows["items_per_second"],
-                heights,
-                color=look.colour,
-                linestyle=look.dash,
-                linewidth=0.8,
-                alpha=0.25,
-                zorder=2,
-            )
-            for row in rows.itertuples():
-                _hero_mark(axes, row, rates, look)
-            best = rows.iloc[-1]
-            labels.append(
-                Label(
-                    best["items_per_second"],
-                    rates.at(best["error_rate"]),
-                    method,
-                    look.colour,
-                    bold=bool(rows["on_frontier"].any()),
-                    dash=look.dash,
-                )
-            )
-        _frontier_line(axes, table, rates)
-        rates.apply(
-            axes, "wrong answers near an edge, share (log scale)      ←  better"
-        )
-        axes.set_xlabel(
-            f"points decided per second, {scalar} (log scale)      better  →"
-        )
-        axes.margins(x=0.03)
-        axes.autoscale_view()
-        per_second(axes.xaxis)
-        label_column(axes, labels)
-        _isa_legend(figure, table)
-        front = table[table["on_frontier"]].sort_values("items_per_second")
-        names = list(dict.fromkeys(reversed(list(front["method"]))))
-        title = f"Speed against error, {scalar}: " + (
-            f"{listed(names)} "
-            + ("stand" if len(names) > 1 else "stands")
-            + " on the frontier"
-        )
-        alt = f"{title}. " + " ".join(
-            f"{row.method} on {row.isa}: {significant(row.items_per_second / 1e9)} "
-            f"billion points per second, error rate {share(row.error_rate)}."
-            for row in front.itertuples()
-        )
-        return finish(figure, f"hero-{scalar}", title, alt, footer)
-
-
-def _hero_mark(axes: Any, row: Any, rates: RateAxis, look: palette.MethodStyle) -> None:
-    marker = palette.isa_marker(row.isa)
-    strong = bool(row.on_frontier)
-    below, above = rates.whiskers(
-        row.error_rate, row.error_rate_low, row.error_rate_high
-    )
-    axes.errorbar(
-        [row.items_per_second],
-        [rates.at(row.error_rate)],
-        xerr=[
-            [row.items_per_second - row.items_per_second_low],
-            [row.items_per_second_high - row.items_per_second],
-        ],
-        yerr=[[below], [above]],
-        fmt=marker,
-        markersize=(12 if marker == "*" else 8)
-        if strong
-        else 9
-        if marker == "*"
-        else 5.5,
-        color=look.colour,
-        markerfacecolor="white" if look.variant else look.colour,
-        markeredgecolor=palette.INK if strong and not look.variant else look.colour,
-        markeredgewidth=0.9 if not strong else 1.9 if look.variant else 1.2,
-        elinewidth=0.9,
-        alpha=1.0 if strong else 0.4,
-        zorder=5 if strong else 3,
-    )
-
-
-def _frontier_line(axes: Any, table: pd.DataFrame, rates: RateAxis) -> None:
-    front = table[table["on_frontier"]].sort_values("items_per_second")
-    if len(front):
-        axes.step(
-            front["items_per_second"],
-            [rates.at(rate) for rate in front["error_rate"]],
-            where="pre",
-            color=palette.INK,
-            linewidth=1.4,
-            zorder=4,
-        )
-
-
-def _isa_legend(figure: Any, table: pd.DataFrame) -> None:
-    isas = sorted(table["isa"].unique(), key=palette.isa_rank)
-    handles = [
-        Line2D(
-            [],
-            [],
-            linestyle="",
-            marker=palette.isa_marker(isa),
-            markersize=9 if palette.isa_marker(isa) == "*" else 6,
-            color="#666666",
-            label=isa,
-        )
-        for isa in isas
-    ]
-    handles.append(Line2D([], [], color=palette.INK, linewidth=1.4, label="frontier"))
-    height = figure.get_size_inches()[1]
-    figure.legend(
-        handles=handles,
-        loc="lower left",
-        bbox_to_anchor=(0.075, 0.26 / height),
-        ncol=len(handles),
-        fontsize=8.5,
-        handletextpad=0.3,
-        columnspacing=1.2,
-    )
+from analysis.wording import listed, nanoseconds, significant, times
 
 
 def scaling(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
@@ -311,7 +173,7 @@ def fixed_against_fresh(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
         axes.set_xlabel(
             f"time on fresh input ÷ time on fixed input{scale}; 1 = no difference"
         )
-        _isa_legend_without_frontier(figure, isas)
+        isa_legend(figure, isas)
         low_ends, high_ends = (
             table["fresh_over_fixed_low"],
             table["fresh_over_fixed_high"],
@@ -330,30 +192,6 @@ def fixed_against_fresh(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
             .itertuples()
         )
         return finish(figure, f"fixed-{scalar}", title, alt, footer)
-
-
-def _isa_legend_without_frontier(figure: Any, isas: list[str]) -> None:
-    handles = [
-        Line2D(
-            [],
-            [],
-            linestyle="",
-            marker=palette.isa_marker(isa),
-            markersize=9 if palette.isa_marker(isa) == "*" else 6,
-            color="#666666",
-            label=isa,
-        )
-        for isa in isas
-    ]
-    figure.legend(
-        handles=handles,
-        loc="lower left",
-        bbox_to_anchor=(0.075, 0.26 / figure.get_size_inches()[1]),
-        ncol=len(handles),
-        fontsize=8.5,
-        handletextpad=0.3,
-        columnspacing=1.2,
-    )
 
 
 def loops(table: pd.DataFrame, scalar: str, footer: str) -> Chart:

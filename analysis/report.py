@@ -10,8 +10,9 @@ import pandas as pd
 
 from analysis import accuracy_tables, columns, noise, tables
 from analysis.accuracy_charts import HARDNESSES, errors_along
-from analysis.charts import fixed_against_fresh, hero, loops, scaling
+from analysis.charts import fixed_against_fresh, loops, scaling
 from analysis.exhibits import Exhibits
+from analysis.hero_chart import hero
 from analysis.palette import method_rank
 from analysis.run import Run
 from analysis.verdicts import Advice, advise, verdicts
