@@ -17,7 +17,7 @@ class GuardedMemory {
  public:
   explicit GuardedMemory(std::size_t bytes)
       : page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))),
-        usable_((bytes + page_ - 1) / page_ * page_),
+        usable_((bytes / page_ + 1) * page_),
         mapping_(static_cast<std::byte*>(
             mmap(nullptr, usable_ + 2 * page_, PROT_NONE,
                  MAP_PRIVATE | MAP_ANONYMOUS, -1, 0))) {

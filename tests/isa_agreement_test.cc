@@ -51,7 +51,7 @@ TEST_P(IsaAgreementTest, EveryIsaGivesTheSameBitsOnHardScenes) {
                              wide ? "offset:ratio=40" : "offset:ratio=12"}) {
       const Scene<T> scene =
           MakeScene<T>(ParseScene(name), kernels[0]->loop,
-                       {.groups = 50, .size = 67}, kDefaultSeed);
+                       {.groups = 20, .size = 67}, kDefaultSeed);
       const SceneTruth truth = JudgeScene(scene);
       const Answers<T> first = Ask(*kernels[0], scene, truth);
       for (std::size_t k = 1; k < kernels.size(); ++k) {

@@ -254,26 +254,6 @@ TEST_P(KernelContractTest, AnswersAreTheSameAtEveryPositionAndAlignment) {
   });
 }
 
-// A kernel that writes weights answers as the one that does not.
-TEST_P(KernelContractTest, WeightsDoNotChangeAnswers) {
-  const Kernel& kernel = *GetParam();
-  if (kernel.output != Output::kWeights) return;
-  const std::vector<const Kernel*> plain = KernelsWhere([&](const Kernel& k) {
-    return k.method.key == kernel.method.key && k.scalar == kernel.scalar &&
-           k.isa == kernel.isa && k.loop == kernel.loop &&
-           k.output == Output::kInside;
-  });
-  ASSERT_EQ(plain.size(), 1u);
-  WithFloatOf(kernel, [&]<class T>(T) {
-    const Items<T> items = DrawItems<T>();
-    Caller<T> with(kernel, items, 0);
-    Caller<T> without(*plain[0], items, 0);
-    for (const std::size_t n : {std::size_t{9}, std::size_t{50}, kMost}) {
-      EXPECT_EQ(with.Call(0, n, kAtEnd).bits, without.Call(0, n, kAtEnd).bits);
-    }
-  });
-}
-
 INSTANTIATE_TEST_SUITE_P(Every, KernelContractTest,
                          testing::ValuesIn(FloatKernels()), KernelName());
 

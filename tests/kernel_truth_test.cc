@@ -165,55 +165,8 @@ TEST_P(KernelTruthTest, AThirdIsWhereTheWeightOfAIsLargest) {
   });
 }
 
-// The largest coordinate over the smallest altitude.
-template <class T>
-double SizeOverAltitude(const Triangle<T>& t, const Point<T>& p) {
-  double size = 0;
-  for (const T x : {t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y, p.x, p.y}) {
-    size = std::max(size, std::abs(static_cast<double>(x)));
-  }
-  double longest = 0;
-  for (const auto& [v, w] :
-       {std::pair{t.a, t.b}, std::pair{t.b, t.c}, std::pair{t.c, t.a}}) {
-    longest = std::max(
-        longest,
-        std::hypot(static_cast<double>(w.x) - static_cast<double>(v.x),
-                   static_cast<double>(w.y) - static_cast<double>(v.y)));
-  }
-  return size * longest / DoubleArea(t);
-}
-
-// The bound: with M the largest coordinate and h the smallest altitude, every
-// method sums products of size M² with a few roundings each and divides by
-// twice the area, at least h² (Gram: by its square): the error of a weight is
-// k·u·(M/h)², with k about a dozen, doubled for good measure.
-TEST_P(KernelTruthTest, WeightsOfUniformPointsAreWithinTheBound) {
-  const Kernel& kernel = *GetParam();
-  if (kernel.output != Output::kWeights) return;
-  WithFloatOf(kernel, [&]<class T>(T) {
-    const auto& [scene, truth] = Uniform<T>(kernel.loop);
-    const Answers<T> answers = Ask(kernel, scene, truth);
-    const double u = static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
-    for (std::size_t c = 0; c < scene.calls.size(); c += 16) {
-      for (std::size_t i = 0; i < scene.calls[c].n; i += 7) {
-        const Triangle<T> t = scene.TriangleOf(scene.calls[c], i);
-        const Point<T> p = scene.PointOf(scene.calls[c], i);
-        const double ratio = SizeOverAltitude(t, p);
-        const std::array<mpq_class, 3> exact = ExactWeights(t, p);
-        for (std::size_t k = 0; k < 3; ++k) {
-          const mpq_class computed(
-              static_cast<double>(answers.weights[k][c][i]));
-          ASSERT_LE(std::abs(mpq_class(computed - exact[k]).get_d()),
-                    24 * u * ratio * ratio)
-              << "weight " << k << " of " << p << " in " << t;
-        }
-      }
-    }
-  });
-}
-
 INSTANTIATE_TEST_SUITE_P(Every, KernelTruthTest,
-                         testing::ValuesIn(FloatKernels()), KernelName());
+                         testing::ValuesIn(FloatInsideKernels()), KernelName());
 
 }  // namespace
 }  // namespace pitbench
