@@ -74,7 +74,8 @@ class SceneDetails {
         if (weighed_.size() == kWeighed) return weighed_;
         const Triangle<T> t = scene_.TriangleOf(call, i);
         const Point<T> p = scene_.PointOf(call, i);
-        if (Classify(t, p) == Position::kDegenerate) continue;
+        if (!IsFinite(t, p) || Classify(t, p) == Position::kDegenerate)
+          continue;
         weighed_.push_back({c, i, ExactWeights(t, p)});
       }
     }

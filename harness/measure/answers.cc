@@ -42,12 +42,14 @@ std::string Describe(const Scene<T>& scene, const Wrong& wrong) {
   return text;
 }
 
-// Whether the method declares that it may give this wrong answer.
+// Whether the method declares that it may give this wrong answer. None does
+// for NaN and infinity.
 template <class T>
 bool Declared(const Kernel& kernel, const Scene<T>& scene, const Wrong& wrong) {
   const Call& call = scene.calls[wrong.call];
   const Triangle<T> t = scene.TriangleOf(call, wrong.answer);
   const Point<T> p = scene.PointOf(call, wrong.answer);
+  if (!IsFinite(t, p)) return false;
   if (kernel.method.accepts == Accepts::kThirdNearVertexA &&
       !wrong.said_inside && BeyondThirdNearA(t, p) > 0) {
     return true;
@@ -95,7 +97,7 @@ std::optional<std::string> WrongWeights(const Scene<T>& scene,
     for (std::size_t i = 0; i < std::min(call.n, some); ++i, ++checked) {
       const Triangle<T> t = scene.TriangleOf(call, i);
       const Point<T> p = scene.PointOf(call, i);
-      if (Classify(t, p) == Position::kDegenerate) continue;
+      if (!IsFinite(t, p) || Classify(t, p) == Position::kDegenerate) continue;
       const std::array<mpq_class, 3> exact = ExactWeights(t, p);
       const double tolerance = WeightTolerance(t, p);
       for (std::size_t k = 0; k < 3; ++k) {

@@ -11,7 +11,7 @@ namespace pitbench {
 namespace {
 
 template <class T>
-bool IsFinite(const Point<T>& p) {
+bool IsFinitePoint(const Point<T>& p) {
   if constexpr (std::floating_point<T>) {
     return std::isfinite(p.x) && std::isfinite(p.y);
   } else {
@@ -23,10 +23,8 @@ bool IsFinite(const Point<T>& p) {
 template <class T, class F>
 Position ClassifyBy(F orientation, const Triangle<T>& triangle,
                     const Point<T>& p) {
+  if (!IsFinite(triangle, p)) return Position::kOutside;
   const auto& [a, b, c] = triangle;
-  if (!IsFinite(a) || !IsFinite(b) || !IsFinite(c) || !IsFinite(p)) {
-    return Position::kOutside;
-  }
   const int winding = orientation(a, b, c);
   if (winding == 0) return Position::kDegenerate;
   // Inside lies on the winding's side of all three edges; a point on the line
@@ -58,6 +56,12 @@ std::string_view Name(Position position) {
 }
 
 template <class T>
+bool IsFinite(const Triangle<T>& triangle, const Point<T>& p) {
+  return IsFinitePoint(triangle.a) && IsFinitePoint(triangle.b) &&
+         IsFinitePoint(triangle.c) && IsFinitePoint(p);
+}
+
+template <class T>
 Position Classify(const Triangle<T>& triangle, const Point<T>& p) {
   return ClassifyBy(Orientation<T>, triangle, p);
 }
@@ -67,6 +71,10 @@ Position ClassifyExactly(const Triangle<T>& triangle, const Point<T>& p) {
   return ClassifyBy(OrientationExactly<T>, triangle, p);
 }
 
+template bool IsFinite(const Triangle<float>&, const Point<float>&);
+template bool IsFinite(const Triangle<double>&, const Point<double>&);
+template bool IsFinite(const Triangle<std::int32_t>&,
+                       const Point<std::int32_t>&);
 template Position Classify(const Triangle<float>&, const Point<float>&);
 template Position Classify(const Triangle<double>&, const Point<double>&);
 template Position Classify(const Triangle<std::int32_t>&,

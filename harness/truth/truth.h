@@ -30,6 +30,11 @@ struct Triangle {
   Point<T> c;
 };
 
+// Whether no coordinate is NaN or infinite. T is float, double or
+// std::int32_t.
+template <class T>
+bool IsFinite(const Triangle<T>& triangle, const Point<T>& p);
+
 // Where `p` lies. A triangle of area 0 is kDegenerate for every point; a
 // coordinate that is NaN or infinite makes the answer kOutside. T is float,
 // double or std::int32_t. Never overflows, underflows or throws.
