@@ -1,0 +1,122 @@
+// Every cell of a profile is measured once: by one shard, under one name.
+#include "harness/measure/cells.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "harness/input/nearest.h"
+
+namespace pitbench {
+namespace {
+
+std::vector<std::string> CellNames(const std::vector<ProfileScene>& scenes) {
+  std::vector<std::string> names;
+  for (const ProfileScene& scene : scenes) {
+    for (const Loop loop : scene.loops) {
+      for (const Kernel* kernel : KernelsFor(scene, loop, std::regex(""))) {
+        names.push_back(CellName(*kernel, scene.name));
+      }
+    }
+  }
+  return names;
+}
+
+class ProfileTest : public testing::TestWithParam<const char*> {
+ protected:
+  const Profile& profile_ = FindProfile(GetParam());
+};
+
+TEST_P(ProfileTest, EveryCellHasANameOfItsOwn) {
+  for (const auto& scenes : {profile_.speed, profile_.accuracy}) {
+    const std::vector<std::string> names = CellNames(scenes);
+    EXPECT_GT(names.size(), 50u);
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(),
+              names.size());
+  }
+}
+
+TEST_P(ProfileTest, EveryCellBelongsToExactlyOneShard) {
+  std::map<std::string, std::size_t> cells_of;  // by name of shard
+  for (const auto& [kind, scenes] :
+       {std::pair{"speed", profile_.speed}, {"accuracy", profile_.accuracy}}) {
+    std::vector<std::pair<std::string, std::regex>> filters;
+    for (const Shard& shard : Shards(profile_)) {
+      if (shard.kind != kind) continue;
+      filters.emplace_back(shard.name, std::regex(shard.filter));
+      cells_of.emplace(shard.name, 0);
+    }
+    for (const std::string& name : CellNames(scenes)) {
+      std::size_t shards = 0;
+      for (const auto& [shard, filter] : filters) {
+        if (!std::regex_search(name, filter)) continue;
+        ++shards;
+        ++cells_of[shard];
+      }
+      ASSERT_EQ(shards, 1u) << kind << " " << name;
+    }
+  }
+  EXPECT_EQ(cells_of.size(), Shards(profile_).size()) << "names repeat";
+  for (const auto& [shard, cells] : cells_of) EXPECT_GT(cells, 0u) << shard;
+}
+
+TEST_P(ProfileTest, EverySceneCanBeParsed) {
+  for (const auto& scenes : {profile_.speed, profile_.accuracy}) {
+    for (const ProfileScene& scene : scenes) {
+      EXPECT_NO_THROW(ParseScene(scene.name)) << scene.name;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, ProfileTest,
+                         testing::Values("tiny", "quick", "full"));
+
+// quick is what a newcomer runs: it has every kernel that runs here.
+TEST(CellsTest, QuickTimesAndJudgesEveryKernel) {
+  const Profile& quick = FindProfile("quick");
+  for (const auto& scenes : {quick.speed, quick.accuracy}) {
+    std::set<const Kernel*> met;
+    for (const ProfileScene& scene : scenes) {
+      for (const Loop loop : scene.loops) {
+        for (const Kernel* kernel : KernelsFor(scene, loop, std::regex(""))) {
+          met.insert(kernel);
+        }
+      }
+    }
+    for (const Kernel& kernel : AllKernels()) {
+      EXPECT_EQ(met.contains(&kernel), RunsHere(kernel.isa))
+          << CellName(kernel, "*");
+    }
+  }
+}
+
+TEST(CellsTest, MistypedProfileSuggestsTheNearest) {
+  try {
+    FindProfile("quik");
+    ADD_FAILURE() << "no error";
+  } catch (const SceneError& error) {
+    EXPECT_STREQ(error.what(), "no profile 'quik': did you mean 'quick'?");
+  }
+}
+
+TEST(NearestTest, IsTheSmallestLevenshteinDistance) {
+  const std::vector<std::string_view> names = {"kitten", "edge_function",
+                                               "cross_product"};
+  EXPECT_EQ(Nearest("sitting", names), "kitten");
+  EXPECT_EQ(Nearest("edge_funtcion", names), "edge_function");
+  EXPECT_EQ(Nearest("", names), "kitten");
+  EXPECT_EQ(NoSuch("method", "crossproduct", names),
+            "no method 'crossproduct': did you mean 'cross_product'?");
+}
+
+TEST(NearestTest, TheFirstOfEquallyNearNames) {
+  EXPECT_EQ(Nearest("f48", {"f32", "f64", "f44"}), "f44");
+  EXPECT_EQ(Nearest("x", {"a", "b"}), "a");
+}
+
+}  // namespace
+}  // namespace pitbench
