@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "harness/measure/answers.h"
-#include "harness/scenes/generate.h"
 #include "kernels/kernels.h"
+#include "tests/judged_scene.h"
 #include "tests/kernel_answers.h"
 
 namespace pitbench {
@@ -49,10 +49,7 @@ TEST_P(IsaAgreementTest, EveryIsaGivesTheSameBitsOnHardScenes) {
     for (const char* name : {"near_edge:ulps=0", "near_edge:ulps=1",
                              wide ? "needle:aspect=24" : "needle:aspect=10",
                              wide ? "offset:ratio=40" : "offset:ratio=12"}) {
-      const Scene<T> scene =
-          MakeScene<T>(ParseScene(name), kernels[0]->loop,
-                       {.groups = 20, .size = 67}, kDefaultSeed);
-      const SceneTruth truth = JudgeScene(scene);
+      const auto& [scene, truth] = FindJudgedScene<T>(name, kernels[0]->loop);
       const Answers<T> first = Ask(*kernels[0], scene, truth);
       for (std::size_t k = 1; k < kernels.size(); ++k) {
         const Answers<T> other = Ask(*kernels[k], scene, truth);
@@ -76,11 +73,9 @@ TEST_P(IsaAgreementTest, EveryIsaGivesTheSameBitsOnHardScenes) {
 TEST(IsaAgreementScenesTest, HardScenesAreHard) {
   for (const Kernel* kernel : FloatInsideKernels()) {
     if (kernel->isa != Isa::kScalar || kernel->scalar != Scalar::kF32) continue;
-    const Scene<float> scene =
-        MakeScene<float>(ParseScene("near_edge:ulps=0"), kernel->loop,
-                         {.groups = 50, .size = 67}, kDefaultSeed);
-    EXPECT_GT(Ask(*kernel, scene, JudgeScene(scene)).wrong.size(), 20u)
-        << NameOf(*kernel);
+    const auto& [scene, truth] =
+        FindJudgedScene<float>("near_edge:ulps=0", kernel->loop);
+    EXPECT_GT(Ask(*kernel, scene, truth).wrong.size(), 10u) << NameOf(*kernel);
   }
 }
 

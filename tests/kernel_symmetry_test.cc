@@ -52,13 +52,13 @@ TEST_P(KernelSymmetryTest, OrderOfTheVerticesDoesNotMatter) {
       return static_cast<T>(random.Below(n));
     };
     std::vector<Point<T>> points;
-    for (int k = 0; k < 100; ++k) {
+    for (int k = 0; k < 67; ++k) {
       const T x = 16 * whole(64);
       points.push_back({x, 16 * whole(64)});
     }
     std::size_t inside = 0;
     std::size_t on_boundary = 0;
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < 30; ++k) {
       // Every other triangle from the points, so that its vertices and points
       // of its edges are asked for.
       const auto vertex = [&]() -> Point<T> {
@@ -88,7 +88,7 @@ TEST_P(KernelSymmetryTest, OrderOfTheVerticesDoesNotMatter) {
       }
     }
     EXPECT_GT(inside, 50u);
-    EXPECT_EQ(on_boundary > 50, boundary);
+    EXPECT_EQ(on_boundary > 10, boundary);
   });
 }
 
@@ -108,8 +108,8 @@ TEST_P(KernelSymmetryTest, DegenerateTriangleOfAnyScaleContainsNothing) {
           Limits::max_exponent / 4, Limits::max_exponent / 2,
           Limits::max_exponent - 2}) {
       std::vector<Triangle<T>> scaled;
-      for (std::size_t k = static_cast<std::size_t>(std::abs(exponent)) % 7;
-           k < degenerate.size(); k += 7) {
+      for (std::size_t k = static_cast<std::size_t>(std::abs(exponent)) % 13;
+           k < degenerate.size(); k += 13) {
         Triangle<T> t = degenerate[k];
         for (Point<T>* p : {&t.a, &t.b, &t.c}) {
           *p = {std::ldexp(p->x, exponent), std::ldexp(p->y, exponent)};

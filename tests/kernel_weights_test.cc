@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "harness/measure/answers.h"
-#include "harness/scenes/generate.h"
 #include "harness/truth/weights.h"
 #include "kernels/kernels.h"
+#include "tests/judged_scene.h"
 #include "tests/kernel_answers.h"
 
 namespace pitbench {
@@ -45,13 +45,12 @@ double SizeOverAltitude(const Triangle<T>& t, const Point<T>& p) {
 TEST_P(KernelWeightsTest, WeightsOfUniformPointsAreWithinTheBound) {
   const Kernel& kernel = *GetParam();
   WithFloatOf(kernel, [&]<class T>(T) {
-    const Scene<T> scene =
-        MakeScene<T>(ParseScene("uniform:hit=50:bytes=2k:sets=fresh"),
-                     kernel.loop, {}, kDefaultSeed);
-    const Answers<T> answers = Ask(kernel, scene, JudgeScene(scene));
+    const auto& [scene, truth] =
+        FindJudgedScene<T>("uniform:hit=50:bytes=2k:sets=fresh", kernel.loop);
+    const Answers<T> answers = Ask(kernel, scene, truth);
     const double u = static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
     for (std::size_t c = 0; c < scene.calls.size(); c += 16) {
-      for (std::size_t i = 0; i < scene.calls[c].n; i += 3) {
+      for (std::size_t i = 0; i < scene.calls[c].n; i += 13) {
         const Triangle<T> t = scene.TriangleOf(scene.calls[c], i);
         const Point<T> p = scene.PointOf(scene.calls[c], i);
         const double ratio = SizeOverAltitude(t, p);
@@ -112,10 +111,7 @@ TEST_P(KernelWeightsTest, WeightsDoNotChangeAnswers) {
   ASSERT_EQ(plain.size(), 1u);
   WithFloatOf(kernel, [&]<class T>(T) {
     for (const char* name : {"near_edge:ulps=0", "needle:aspect=10"}) {
-      const Scene<T> scene =
-          MakeScene<T>(ParseScene(name), kernel.loop,
-                       {.groups = 20, .size = 67}, kDefaultSeed);
-      const SceneTruth truth = JudgeScene(scene);
+      const auto& [scene, truth] = FindJudgedScene<T>(name, kernel.loop);
       EXPECT_EQ(Ask(kernel, scene, truth).bits,
                 Ask(*plain[0], scene, truth).bits);
     }

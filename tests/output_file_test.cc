@@ -58,13 +58,15 @@ TEST_F(OutputFileTest, CommitLeavesOneFile) {
 }
 
 TEST_F(OutputFileTest, PlaceThatCannotBeWrittenIsNamedAtOnce) {
-  for (const std::string& path : {folder_ / "missing" / "run.json", folder_}) {
+  const std::string missing = folder_ / "missing" / "run.json";
+  const std::string folder = folder_;
+  for (const std::string& path : {missing, folder}) {
     try {
       const OutputFile file(path);
       ADD_FAILURE() << "no error for " << path;
     } catch (const InputError& error) {
-      EXPECT_EQ(
-          std::string(error.what()).rfind("cannot write " + path + ": ", 0), 0u)
+      EXPECT_TRUE(
+          std::string(error.what()).starts_with("cannot write " + path + ": "))
           << error.what();
     }
   }

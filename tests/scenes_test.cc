@@ -47,10 +47,10 @@ TYPED_TEST(ScenesTest, UniformHasTheHitRateOfItsName) {
     for (const int hit : {0, 10, 50, 90, 100}) {
       auto scene = Make<TypeParam>(
           "uniform:hit=" + std::to_string(hit) +
-              (loop == Loop::kOnePoint ? ":bytes=4k" : ":bytes=32k") +
+              (loop == Loop::kOnePoint ? ":bytes=1k" : ":bytes=32k") +
               ":sets=fresh",
           loop);
-      if (loop == Loop::kOneTriangle) scene.calls.resize(16);  // is enough
+      if (loop == Loop::kOneTriangle) scene.calls.resize(8);  // is enough
       const SceneTruth truth = JudgeScene(scene);
       const double all = static_cast<double>(truth.interior + truth.exterior +
                                              truth.boundary + truth.degenerate);
