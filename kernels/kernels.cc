@@ -66,15 +66,18 @@ std::vector<Kernel> JoinKernels() {
 #if HWY_ARCH_X86
 #define PITBENCH_METHOD(key) \
   add(scalar::key());        \
-  add(ssse3::key());         \
-  add(sse4::key());          \
-  add(avx2::key());          \
-  add(avx512::key());
+  PITBENCH_X86_SIMD(key)
 #define PITBENCH_METHOD_AUTOVEC(key) \
-  PITBENCH_METHOD(key)               \
+  add(scalar::key());                \
   add(autovec_v2::key());            \
   add(autovec_v3::key());            \
-  add(autovec_v4::key());
+  add(autovec_v4::key());            \
+  PITBENCH_X86_SIMD(key)
+#define PITBENCH_X86_SIMD(key) \
+  add(ssse3::key());           \
+  add(sse4::key());            \
+  add(avx2::key());            \
+  add(avx512::key());
 #elif HWY_ARCH_ARM_A64
 #define PITBENCH_METHOD(key) \
   add(scalar::key());        \

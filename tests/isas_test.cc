@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <string>
 
@@ -44,6 +45,16 @@ TEST(IsasTest, EveryKernelHasTheOneFunctionOfItsScalar) {
     EXPECT_EQ(kernel.f32 != nullptr, kernel.scalar == Scalar::kF32);
     EXPECT_EQ(kernel.f64 != nullptr, kernel.scalar == Scalar::kF64);
     EXPECT_EQ(kernel.i32 != nullptr, kernel.scalar == Scalar::kI32);
+  }
+}
+
+// So the last kernel of a method that runs here is the widest.
+TEST(IsasTest, KernelsOfAMethodAreOrderedByIsa) {
+  std::map<std::string_view, Isa> last;
+  for (const Kernel& kernel : AllKernels()) {
+    const auto [found, first] = last.try_emplace(kernel.method.key, kernel.isa);
+    EXPECT_LE(found->second, kernel.isa) << kernel.method.key;
+    found->second = kernel.isa;
   }
 }
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "harness/measure/answers.h"
-#include "harness/truth/orientation.h"
 #include "harness/truth/weights.h"
 #include "kernels/kernels.h"
+#include "tests/expected_answer.h"
 #include "tests/judged_scene.h"
 #include "tests/kernel_answers.h"
 
@@ -44,21 +44,6 @@ TEST_P(KernelTruthTest, UniformPointsAreAllRight) {
     EXPECT_EQ(answers.wrong.size(), 0u);
     EXPECT_EQ(answers.stray_bits, 0u);
   });
-}
-
-// What a method should say of a point, its boundary rule and the part of the
-// triangle that it accepts included.
-template <class T>
-bool Expected(const Method& method, const Triangle<T>& t, const Point<T>& p) {
-  const Position position = Classify(t, p);
-  if (position != Position::kInside && position != Position::kBoundary) {
-    return false;
-  }
-  if (method.accepts == Accepts::kThirdNearVertexA) {
-    const std::array<mpq_class, 3> w = ExactWeights(t, p);
-    return w[0] >= w[1] && w[0] >= w[2];
-  }
-  return method.boundary == Boundary::kClosed || Orientation(t.b, t.c, p) != 0;
 }
 
 // A third of the triangles with whole vertices up to 3.

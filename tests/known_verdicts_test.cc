@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/truth/orientation.h"
 #include "harness/truth/weights.h"
 #include "kernels/kernels.h"
+#include "tests/expected_answer.h"
 #include "tests/kernel_answers.h"
 #include "tests/real_world_cases.h"
 
@@ -104,20 +104,6 @@ const std::vector<KnownFailure> kKnownFailures = {
       "barycentric_inverse", "cross_product", "cross_product_det",
       "cross_product_det_fma", "cross_solve"}},
 };
-
-// What the method should say, by its boundary rule and what it accepts.
-template <class T>
-bool Expected(const Method& method, const Triangle<T>& t, const Point<T>& p) {
-  const Position position = Classify(t, p);
-  if (position != Position::kInside && position != Position::kBoundary) {
-    return false;
-  }
-  if (method.accepts == Accepts::kThirdNearVertexA) {
-    const std::array<mpq_class, 3> w = ExactWeights(t, p);
-    return w[0] >= w[1] && w[0] >= w[2];
-  }
-  return method.boundary == Boundary::kClosed || Orientation(t.b, t.c, p) != 0;
-}
 
 // Whether rounding once can move p across an edge, or for a method that
 // accepts a third, across the border of that.

@@ -1,4 +1,5 @@
 // Asks the widest cross_product kernel that runs here about three points.
+// Kernels are listed from narrow to wide.
 #include <cstdio>
 
 #include "kernels/kernels.h"
