@@ -113,6 +113,11 @@ TEST(NearestTest, IsTheSmallestLevenshteinDistance) {
             "no method 'crossproduct': did you mean 'cross_product'?");
 }
 
+TEST(NearestTest, InsertingAndDeletingCostAsMuchAsReplacing) {
+  EXPECT_EQ(Nearest("ac", {"xy", "abc"}), "abc");
+  EXPECT_EQ(Nearest("abc", {"xyc", "ac"}), "ac");
+}
+
 TEST(NearestTest, TheFirstOfEquallyNearNames) {
   EXPECT_EQ(Nearest("f48", {"f32", "f64", "f44"}), "f44");
   EXPECT_EQ(Nearest("x", {"a", "b"}), "a");
