@@ -5,15 +5,28 @@
 // as near in the caches as in the fixed twin and only the answers are new: a
 // branch predictor cannot learn them.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
 
 #include "harness/scenes/families.h"
 
 namespace pitbench {
 namespace {
 
-using Polygon = std::vector<Point<double>>;
+// A convex polygon: a triangle cut by four lines has at most seven vertices.
+class Polygon {
+ public:
+  Polygon() = default;
+  explicit Polygon(const Triangle<double>& t) : at_{t.a, t.b, t.c}, size_(3) {}
+
+  std::size_t size() const { return size_; }
+  const Point<double>& operator[](std::size_t i) const { return at_[i]; }
+  void Append(const Point<double>& p) { at_[size_++] = p; }
+
+ private:
+  std::array<Point<double>, 8> at_{};
+  std::size_t size_ = 0;
+};
 
 // The part of `polygon` where sign·coordinate ≤ limit (Sutherland and Hodgman
 // 1974).
@@ -25,10 +38,10 @@ Polygon Clip(const Polygon& polygon, double Point<double>::*coordinate,
     const Point<double>& q = polygon[(i + 1) % polygon.size()];
     const double before = limit - sign * p.*coordinate;
     const double after = limit - sign * q.*coordinate;
-    if (before >= 0) kept.push_back(p);
+    if (before >= 0) kept.Append(p);
     if ((before < 0) != (after < 0)) {
       const double s = before / (before - after);
-      kept.push_back({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)});
+      kept.Append({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y)});
     }
   }
   return kept;
@@ -36,7 +49,7 @@ Polygon Clip(const Polygon& polygon, double Point<double>::*coordinate,
 
 // The area that a triangle and the unit square share.
 double CoveredArea(const Triangle<double>& t) {
-  Polygon polygon{t.a, t.b, t.c};
+  Polygon polygon(t);
   polygon = Clip(polygon, &Point<double>::x, 1, 1);
   polygon = Clip(polygon, &Point<double>::x, -1, 0);
   polygon = Clip(polygon, &Point<double>::y, 1, 1);
