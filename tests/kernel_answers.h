@@ -72,6 +72,11 @@ inline bool DividesByArea(const Kernel& kernel) {
          kernel.method.key == "uv_projection";
 }
 
+// Whether the method promises to be right for every finite input.
+inline bool IsExact(const Kernel& kernel) {
+  return kernel.method.key.starts_with("exact");
+}
+
 // Answers for every triangle (row) and every point (column).
 template <class T>
 struct AnswerTable {

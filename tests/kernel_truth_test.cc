@@ -11,7 +11,7 @@
 #include "harness/measure/answers.h"
 #include "harness/truth/weights.h"
 #include "kernels/kernels.h"
-#include "tests/expected_answer.h"
+#include "harness/truth/expected.h"
 #include "tests/judged_scene.h"
 #include "tests/kernel_answers.h"
 

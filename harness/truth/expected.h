@@ -1,7 +1,7 @@
 // What a method should say of a point, by exact arithmetic and what it
 // declares of itself.
-#ifndef PITBENCH_TESTS_EXPECTED_ANSWER_H_
-#define PITBENCH_TESTS_EXPECTED_ANSWER_H_
+#ifndef PITBENCH_HARNESS_TRUTH_EXPECTED_H_
+#define PITBENCH_HARNESS_TRUTH_EXPECTED_H_
 
 #include <algorithm>
 #include <array>
@@ -56,4 +56,4 @@ bool Expected(const Method& method, const Triangle<T>& t, const Point<T>& p) {
 
 }  // namespace pitbench
 
-#endif  // PITBENCH_TESTS_EXPECTED_ANSWER_H_
+#endif  // PITBENCH_HARNESS_TRUTH_EXPECTED_H_

@@ -1,0 +1,59 @@
+// Point in triangle, right for every finite input: a float filter decides, and
+// what it cannot decide goes to exact integer arithmetic.
+//
+//   e_k = A_k·x + B_k·y + C_k > t inside for all k, < −t outside for any k;
+//   between, the signs of three determinants, exactly
+//
+// Set-up: as edge_function, and the bound t. Per point: 4 MulAdd, 2
+// subtractions, 2 Min, 2 compares; the one in 10^5 or so uniform points that is
+// undecided costs 3 determinants in double precision, and, where these cannot
+// tell either, in integers of as many bits as the exponents need.
+// Boundary: closed (exact), open (exact_open) or top-left (exact_top_left):
+// with that every point of a mesh is in exactly one triangle. Winding: any.
+// Degenerate: contains nothing. Fails: never. Slowest where all points are
+// near edges, or where a triangle is so thin or so far from the origin that t
+// exceeds a sixth of its doubled area: then each determinant has its own bound.
+// The proof of t is in loops/filtered-inl.h.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/methods/exact.cc"
+#include <hwy/foreach_target.h>
+
+#include "kernels/loops/filtered-inl.h"
+#include "kernels/rows-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+template <class T, Boundary kBoundary>
+constexpr Rows<3> ExactLoopRows(const Method& method) {
+  return {MakeKernel<T>(method, Loop::kOneTriangle, Output::kInside,
+                        FilteredOneTriangle<T, kBoundary>),
+          MakeKernel<T>(method, Loop::kOnePoint, Output::kInside,
+                        FilteredOnePoint<T, kBoundary>),
+          MakeKernel<T>(method, Loop::kPairs, Output::kInside,
+                        FilteredPairs<T, kBoundary>)};
+}
+
+template <Boundary kBoundary>
+constexpr Rows<6> ExactRows(std::string_view key) {
+  const Method method{
+      .key = key,
+      .source = "pitbench; filters after Shewchuk 1997",
+      .formula =
+          "edge functions with an error bound; exact integers for what "
+          "they cannot decide",
+      .boundary = kBoundary,
+  };
+  return ExactLoopRows<float, kBoundary>(method) +
+         ExactLoopRows<double, kBoundary>(method);
+}
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+PITBENCH_KERNELS(exact, ExactRows<Boundary::kClosed>("exact") +
+                            ExactRows<Boundary::kOpen>("exact_open") +
+                            ExactRows<Boundary::kTopLeft>("exact_top_left"));
