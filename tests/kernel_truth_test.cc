@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "harness/measure/answers.h"
+#include "harness/truth/expected.h"
 #include "harness/truth/weights.h"
 #include "kernels/kernels.h"
-#include "harness/truth/expected.h"
 #include "tests/judged_scene.h"
 #include "tests/kernel_answers.h"
 

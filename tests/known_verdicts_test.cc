@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/truth/expected.h"
 #include "harness/truth/weights.h"
 #include "kernels/kernels.h"
-#include "harness/truth/expected.h"
 #include "tests/kernel_answers.h"
 #include "tests/real_world_cases.h"
 
