@@ -5,12 +5,10 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "harness/scenes/corpus.h"
 #include "harness/truth/truth.h"
 
 namespace pitbench {
@@ -39,24 +37,15 @@ struct RealWorldCase {
   }
 };
 
-// Its columns are id,scalar,source,ax,ay,bx,by,cx,cy,px,py,truth,note.
 inline std::vector<RealWorldCase> RealWorldCases() {
-  std::ifstream file(PITBENCH_TESTS_DIR "/cases/real_world.csv");
-  std::string line;
-  std::getline(file, line);
   std::vector<RealWorldCase> cases;
-  while (std::getline(file, line)) {
-    std::vector<std::string> fields;
-    std::stringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) {
-      fields.push_back(field);
-    }
+  for (const CorpusCase& read : RealWorldCorpus()) {
     RealWorldCase& one = cases.emplace_back();
-    one.id = fields.at(0);
-    one.scalar = fields.at(1);
-    one.truth = fields.at(11);
-    for (std::size_t k = 0; k < 8; ++k) {
-      one.at[k] = std::strtod(fields.at(3 + k).c_str(), nullptr);
+    one.id = read.id;
+    one.scalar = read.scalar;
+    one.truth = read.truth;
+    for (std::size_t k = 0; k < one.at.size(); ++k) {
+      one.at[k] = read.Number<double>(k);
     }
   }
   return cases;

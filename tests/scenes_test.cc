@@ -13,27 +13,10 @@
 #include "harness/measure/answers.h"
 #include "harness/scenes/generate.h"
 #include "harness/truth/weights.h"
+#include "tests/made_scene.h"
 
 namespace pitbench {
 namespace {
-
-constexpr Loop kLoops[] = {Loop::kOneTriangle, Loop::kOnePoint, Loop::kPairs};
-constexpr SceneSize kSize{.groups = 20, .size = 67};
-
-template <class T>
-Scene<T> Make(const std::string& name, Loop loop) {
-  return MakeScene<T>(ParseScene(name), loop, kSize, kDefaultSeed);
-}
-
-// Calls test(scene, triangle, point) for every answer of the scene.
-template <class T, class Test>
-void ForEachAnswer(const Scene<T>& scene, const Test& test) {
-  for (const Call& call : scene.calls) {
-    for (std::size_t i = 0; i < scene.Answers(call); ++i) {
-      test(scene.TriangleOf(call, i), scene.PointOf(call, i));
-    }
-  }
-}
 
 template <class T>
 class ScenesTest : public testing::Test {};
@@ -251,8 +234,15 @@ TEST(SceneErrorTest, ValuesOutOfRangeNameTheRange) {
     EXPECT_NE(Error(name).find("must be a whole number"), std::string::npos)
         << name << ": " << Error(name);
   }
-  EXPECT_NE(Error("uniform:hit=50:bytes=4k:sets=both").find("fresh or fixed"),
-            std::string::npos);
+  EXPECT_EQ(Error("offset:ratio=1:sets=both"),
+            "scene 'offset:ratio=1:sets=both': sets must be one of fresh, "
+            "fixed, not 'both'");
+  EXPECT_EQ(Error("scale:exponent=-146"),
+            "scene 'scale:exponent=-146': exponent must be a whole number from "
+            "-145 to 127, not '-146'");
+  EXPECT_EQ(Error("degenerate:kind=flat"),
+            "scene 'degenerate:kind=flat': kind must be one of collinear, "
+            "doubled, single, not 'flat'");
 }
 
 TEST(SceneErrorTest, GridIsForGridLoopsAndIntegersOnly) {

@@ -10,6 +10,9 @@
 #include <cstring>
 #include <optional>
 #include <system_error>
+#include <utility>
+
+#include "harness/truth/decimal.h"
 
 namespace pitbench {
 namespace {
@@ -33,7 +36,7 @@ std::string Joined(std::span<const std::string_view> names) {
   return joined;
 }
 
-// The lines of a file, without their ends, counted from 1.
+// The lines of a file or a text, without their ends, counted from 1.
 class Lines {
  public:
   explicit Lines(const std::string& path)
@@ -42,6 +45,14 @@ class Lines {
     if (file_ == nullptr) {
       throw InputError(name_ + ": cannot be opened: " + std::strerror(errno) +
                        "; check the path, or write - for standard input");
+    }
+  }
+  // `text` is only read, though fmemopen does not say so.
+  Lines(const std::string& name, std::string_view text)
+      : name_(name),
+        file_(fmemopen(const_cast<char*>(text.data()), text.size(), "r")) {
+    if (file_ == nullptr) {
+      throw InputError(name_ + ": cannot be read: " + std::strerror(errno));
     }
   }
   ~Lines() {
@@ -125,10 +136,25 @@ Parsed Parse(std::string_view field, std::int32_t* value) {
                                                  : Parsed::kNumber;
 }
 
+Parsed Parse(std::string_view field, mpq_class* value) {
+  std::optional<mpq_class> number = ParseExactly(field);
+  if (!number) return Parsed::kNotANumber;
+  *value = std::move(*number);
+  return Parsed::kNumber;
+}
+
+Parsed Parse(std::string_view field, std::string* value) {
+  *value = field;
+  return Parsed::kNumber;
+}
+
 template <class T>
 std::string_view WhatToWrite() {
   if constexpr (std::integral<T>) {
     return "write an integer from -2147483648 to 2147483647";
+  } else if constexpr (std::same_as<T, mpq_class>) {
+    return "write a decimal (0.1, 1e-3) or hexadecimal (0x1p-1) number with an "
+           "exponent from -9999 to 9999";
   } else if constexpr (std::same_as<T, float>) {
     return "write a decimal (0.5) or hexadecimal (0x1p-1) number in the range "
            "of f32, nan or inf";
@@ -154,6 +180,15 @@ void CheckHeader(Lines& lines, std::span<const std::string_view> header) {
   }
 }
 
+// What is wrong with a field that is no number.
+template <class T>
+std::string Complaint(std::string_view field, Parsed parsed) {
+  return Quoted(field) +
+         (parsed == Parsed::kOutOfRange ? " is out of range; "
+                                        : " is not a number; ") +
+         std::string(WhatToWrite<T>());
+}
+
 template <class T>
 void ReadRow(const Lines& lines, std::string_view line,
              std::span<const std::string_view> header, Table<T>& table) {
@@ -177,23 +212,16 @@ void ReadRow(const Lines& lines, std::string_view line,
     const Parsed parsed = Parse(field, &value);
     if (parsed != Parsed::kNumber) {
       lines.Fail("field \"" + std::string(header[column]) +
-                 "\": " + Quoted(field) +
-                 (parsed == Parsed::kOutOfRange ? " is out of range; "
-                                                : " is not a number; ") +
-                 std::string(WhatToWrite<T>()));
+                 "\": " + Complaint<T>(field, parsed));
     }
-    table.columns[column].push_back(value);
+    table.columns[column].push_back(std::move(value));
     if (!last) rest.remove_prefix(comma + 1);
   }
   ++table.rows;
 }
 
-}  // namespace
-
 template <class T>
-Table<T> ReadCsv(const std::string& path,
-                 std::span<const std::string_view> header) {
-  Lines lines(path);
+Table<T> ReadTable(Lines& lines, std::span<const std::string_view> header) {
   CheckHeader(lines, header);
   Table<T> table;
   table.columns.resize(header.size());
@@ -209,11 +237,43 @@ Table<T> ReadCsv(const std::string& path,
   return table;
 }
 
-template Table<float> ReadCsv(const std::string&,
-                              std::span<const std::string_view>);
-template Table<double> ReadCsv(const std::string&,
-                               std::span<const std::string_view>);
-template Table<std::int32_t> ReadCsv(const std::string&,
-                                     std::span<const std::string_view>);
+}  // namespace
+
+template <class T>
+Table<T> ReadCsv(const std::string& path,
+                 std::span<const std::string_view> header) {
+  Lines lines(path);
+  return ReadTable<T>(lines, header);
+}
+
+template <class T>
+Table<T> ReadCsvText(const std::string& name, std::string_view text,
+                     std::span<const std::string_view> header) {
+  Lines lines(name, text);
+  return ReadTable<T>(lines, header);
+}
+
+template <class T>
+T ParseNumber(const std::string& field) {
+  T value{};
+  const Parsed parsed = Parse(field, &value);
+  if (parsed != Parsed::kNumber) throw InputError(Complaint<T>(field, parsed));
+  return value;
+}
+
+#define PITBENCH_INSTANTIATE(T)                                       \
+  template Table<T> ReadCsv(const std::string&,                       \
+                            std::span<const std::string_view>);       \
+  template Table<T> ReadCsvText(const std::string&, std::string_view, \
+                                std::span<const std::string_view>)
+PITBENCH_INSTANTIATE(float);
+PITBENCH_INSTANTIATE(double);
+PITBENCH_INSTANTIATE(std::int32_t);
+PITBENCH_INSTANTIATE(mpq_class);
+PITBENCH_INSTANTIATE(std::string);
+#undef PITBENCH_INSTANTIATE
+template float ParseNumber(const std::string&);
+template double ParseNumber(const std::string&);
+template mpq_class ParseNumber(const std::string&);
 
 }  // namespace pitbench

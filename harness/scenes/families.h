@@ -12,17 +12,51 @@
 
 namespace pitbench {
 
+// Scenes of float and double. A family that names its own size does not use
+// `size`.
 template <class T>
-Scene<T> UniformScene(const SceneSpec& spec, Loop loop, std::uint64_t seed);
+Scene<T> UniformScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                      std::uint64_t seed);
 template <class T>
 Scene<T> NearEdgeScene(const SceneSpec& spec, Loop loop, SceneSize size,
                        std::uint64_t seed);
+template <class T>
+Scene<T> NearVertexScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                         std::uint64_t seed);
+template <class T>
+Scene<T> EdgeShareScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                        std::uint64_t seed);
 template <class T>
 Scene<T> NeedleScene(const SceneSpec& spec, Loop loop, SceneSize size,
                      std::uint64_t seed);
 template <class T>
 Scene<T> OffsetScene(const SceneSpec& spec, Loop loop, SceneSize size,
                      std::uint64_t seed);
+template <class T>
+Scene<T> ScaleScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                    std::uint64_t seed);
+template <class T>
+Scene<T> ExponentSpreadScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                             std::uint64_t seed);
+template <class T>
+Scene<T> DegenerateScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                         std::uint64_t seed);
+template <class T>
+Scene<T> SpecialScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                      std::uint64_t seed);
+template <class T>
+Scene<T> MeshPairScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                       std::uint64_t seed);
+template <class T>
+Scene<T> MeshFanScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                      std::uint64_t seed);
+template <class T>
+Scene<T> MeshTriangulationScene(const SceneSpec& spec, Loop loop,
+                                SceneSize size, std::uint64_t seed);
+template <class T>
+Scene<T> CorpusScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                     std::uint64_t seed);
+
 Scene<std::int32_t> GridScene(const SceneSpec& spec, std::uint64_t seed);
 
 // Each coordinate rounded once to T.
@@ -40,21 +74,28 @@ inline Point<double> InUnitSquare(Random& random) {
   return {x, random.Unit()};
 }
 
-// Random vertices in the unit square, drawn until the smallest altitude is at
-// least 0.2, so that nothing about the shape is hard. Either winding.
+// Whether the smallest altitude is at least `least`.
+inline bool HasAltitude(const Triangle<double>& t, double least) {
+  const auto& [a, b, c] = t;
+  const double double_area =
+      std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  const auto squared = [](const Point<double>& p, const Point<double>& q) {
+    return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
+  };
+  const double longest =
+      std::sqrt(std::max({squared(a, b), squared(b, c), squared(c, a)}));
+  return double_area >= least * longest;
+}
+
+// Random vertices in the unit square, drawn until no altitude is smaller, so
+// that nothing about the shape is hard. Either winding.
+inline constexpr double kWellShaped = 0.2;
 inline Triangle<double> WellShaped(Random& random) {
   while (true) {
     const Point<double> a = InUnitSquare(random);
     const Point<double> b = InUnitSquare(random);
     const Point<double> c = InUnitSquare(random);
-    const double double_area =
-        std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-    const auto squared = [](const Point<double>& p, const Point<double>& q) {
-      return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
-    };
-    const double longest =
-        std::sqrt(std::max({squared(a, b), squared(b, c), squared(c, a)}));
-    if (double_area >= 0.2 * longest) return {a, b, c};
+    if (HasAltitude({a, b, c}, kWellShaped)) return {a, b, c};
   }
 }
 

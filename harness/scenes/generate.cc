@@ -1,10 +1,38 @@
 #include "harness/scenes/generate.h"
 
+#include <string_view>
 #include <type_traits>
 
 #include "harness/scenes/families.h"
 
 namespace pitbench {
+namespace {
+
+template <class T>
+struct Generator {
+  std::string_view family;
+  Scene<T> (*make)(const SceneSpec&, Loop, SceneSize, std::uint64_t);
+};
+
+template <class T>
+constexpr Generator<T> kGenerators[] = {
+    {"uniform", UniformScene<T>},
+    {"near_edge", NearEdgeScene<T>},
+    {"edge_share", EdgeShareScene<T>},
+    {"near_vertex", NearVertexScene<T>},
+    {"needle", NeedleScene<T>},
+    {"offset", OffsetScene<T>},
+    {"scale", ScaleScene<T>},
+    {"exponent_spread", ExponentSpreadScene<T>},
+    {"degenerate", DegenerateScene<T>},
+    {"special", SpecialScene<T>},
+    {"mesh_pair", MeshPairScene<T>},
+    {"mesh_fan", MeshFanScene<T>},
+    {"mesh_triangulation", MeshTriangulationScene<T>},
+    {"corpus", CorpusScene<T>},
+};
+
+}  // namespace
 
 template <class T>
 Scene<T> MakeScene(const SceneSpec& spec, Loop loop, SceneSize size,
@@ -19,12 +47,11 @@ Scene<T> MakeScene(const SceneSpec& spec, Loop loop, SceneSize size,
   if constexpr (kInteger) {
     return GridScene(spec, seed);
   } else {
-    if (spec.family == "uniform") return UniformScene<T>(spec, loop, seed);
-    if (spec.family == "near_edge") {
-      return NearEdgeScene<T>(spec, loop, size, seed);
+    for (const Generator<T>& generator : kGenerators<T>) {
+      if (generator.family == spec.family) {
+        return generator.make(spec, loop, size, seed);
+      }
     }
-    if (spec.family == "needle") return NeedleScene<T>(spec, loop, size, seed);
-    if (spec.family == "offset") return OffsetScene<T>(spec, loop, size, seed);
     throw SceneError("scene '" + spec.name +
                      "' is not generated: it takes your own files");
   }

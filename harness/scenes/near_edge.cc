@@ -4,27 +4,15 @@
 // triangle in the unit square and then moved by ±ulps representable numbers
 // along the axis that is more across the edge. Rounding leaves it within about
 // one ulp of where it should be; truth says where it is.
-#include <bit>
+//
+// edge_share: only some percent of the points are such, the others anywhere.
 #include <cmath>
 
 #include "harness/scenes/families.h"
+#include "harness/scenes/step.h"
 
 namespace pitbench {
 namespace {
-
-// The number that is `steps` representable numbers above x (below for negative
-// steps). x must be finite, and so must the result.
-template <class T>
-T Step(T x, std::int64_t steps) {
-  using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-  constexpr Bits kLow = std::numeric_limits<Bits>::min();
-  // Bits of negative numbers count downwards: map both signs on one scale.
-  Bits ordered = std::bit_cast<Bits>(x);
-  if (ordered < 0) ordered = static_cast<Bits>(kLow - ordered);
-  ordered = static_cast<Bits>(ordered + static_cast<Bits>(steps));
-  if (ordered < 0) ordered = static_cast<Bits>(kLow - ordered);
-  return std::bit_cast<T>(ordered);
-}
 
 template <class T>
 struct NearEdge {
@@ -46,14 +34,8 @@ struct NearEdge {
     const std::size_t k = random.Below(3);
     const Point<T>& v = vertices[k];
     const Point<T>& w = vertices[(k + 1) % 3];
-    const double ex = static_cast<double>(w.x) - static_cast<double>(v.x);
-    const double ey = static_cast<double>(w.y) - static_cast<double>(v.y);
     const double s = random.Unit();
-    Point<T> p = Rounded<T>(Point<double>{static_cast<double>(v.x) + s * ex,
-                                          static_cast<double>(v.y) + s * ey});
-    T& across = std::abs(ex) > std::abs(ey) ? p.y : p.x;
-    across = Step(across, Steps(random));
-    return p;
+    return BesideEdge(v, w, s, Steps(random));
   }
 
   // A triangle of which an edge runs through p or that many ulps of p beside
@@ -78,7 +60,34 @@ struct NearEdge {
   }
 };
 
+template <class T>
+struct EdgeShare {
+  std::uint64_t percent;
+  NearEdge<T> near{0};
+
+  Triangle<T> DrawTriangle(Random& random) const {
+    return near.DrawTriangle(random);
+  }
+  Point<T> DrawPoint(Random& random) const { return near.DrawPoint(random); }
+  Point<T> PointFor(Random& random, const Triangle<T>& t) const {
+    return random.Below(100) < percent ? near.PointFor(random, t)
+                                       : DrawPoint(random);
+  }
+  Triangle<T> TriangleFor(Random& random, const Point<T>& p) const {
+    return random.Below(100) < percent ? near.TriangleFor(random, p)
+                                       : DrawTriangle(random);
+  }
+};
+
 }  // namespace
+
+template <class T>
+Scene<T> EdgeShareScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                        std::uint64_t seed) {
+  const auto percent =
+      static_cast<std::uint64_t>(spec.Number("percent", 0, 100));
+  return Assemble<T>(EdgeShare<T>{percent}, spec, loop, size, seed);
+}
 
 template <class T>
 Scene<T> NearEdgeScene(const SceneSpec& spec, Loop loop, SceneSize size,
@@ -91,5 +100,10 @@ template Scene<float> NearEdgeScene(const SceneSpec&, Loop, SceneSize,
                                     std::uint64_t);
 template Scene<double> NearEdgeScene(const SceneSpec&, Loop, SceneSize,
                                      std::uint64_t);
+
+template Scene<float> EdgeShareScene(const SceneSpec&, Loop, SceneSize,
+                                     std::uint64_t);
+template Scene<double> EdgeShareScene(const SceneSpec&, Loop, SceneSize,
+                                      std::uint64_t);
 
 }  // namespace pitbench

@@ -42,6 +42,36 @@ const std::vector<FamilyInfo>& Families() {
        "Triangles with random whole vertices against every pixel of a grid of "
        "80 columns and 50 rows, as in qTriangle's program."},
       {"own", "", "Triangles and points from your own CSV files."},
+      {"edge_share", "percent:sets",
+       "Points of which so many percent are rounded onto an edge, and all "
+       "others are uniform in the unit square; well-shaped triangles."},
+      {"near_vertex", "ulps:sets",
+       "Points this many representable numbers away from a vertex of a "
+       "well-shaped triangle in the unit square."},
+      {"scale", "exponent:sets",
+       "Well-shaped triangles and points in a square of side 2^exponent at the "
+       "origin, from subnormal numbers to nearly the largest."},
+      {"exponent_spread", "binades:sets",
+       "Triangles whose coordinates have exponents from -binades to 0 and "
+       "either sign; points rounded onto their edges."},
+      {"degenerate", "kind:sets",
+       "Triangles without area, exactly: kind=collinear, doubled (two vertices "
+       "are one) or single (all are one). Points on their line and near it."},
+      {"special", "kind:sets",
+       "Well-shaped triangles with special values among the coordinates: "
+       "kind=nan, infinite, minus_zero (on the axes), subnormal or largest "
+       "(up to the largest finite number)."},
+      {"mesh_pair", "ulps",
+       "Two triangles that share an edge, each asked about points rounded onto "
+       "the edge and moved off it by this many representable numbers."},
+      {"mesh_fan", "ulps",
+       "Eight triangles around a vertex, each asked about points that many "
+       "representable numbers from the vertex and from the edges to it."},
+      {"mesh_triangulation", "ulps",
+       "A random triangulation of 10 000 triangles; points that many "
+       "representable numbers off its edges, on its vertices, and anywhere."},
+      {"corpus", "",
+       "The cases of tests/cases/real_world.csv, from published bug reports."},
   };
   return families;
 }
@@ -66,15 +96,23 @@ std::int64_t SceneSpec::Number(std::string_view key, std::int64_t low,
   return value * unit;
 }
 
-bool SceneSpec::Fresh() const {
-  const auto found = parameters.find("sets");
-  if (found == parameters.end()) return true;
-  const std::string& sets = found->second;
-  if (sets != "fresh" && sets != "fixed") {
-    throw SceneError("scene '" + name +
-                     "': sets must be fresh or fixed, not '" + sets + "'");
+std::string_view SceneSpec::Word(
+    std::string_view key,
+    std::initializer_list<std::string_view> allowed) const {
+  const std::string& word = parameters.find(key)->second;
+  std::string choices;
+  for (const std::string_view choice : allowed) {
+    if (word == choice) return word;
+    if (!choices.empty()) choices += ", ";
+    choices += choice;
   }
-  return sets == "fresh";
+  throw SceneError("scene '" + name + "': " + std::string(key) +
+                   " must be one of " + choices + ", not '" + word + "'");
+}
+
+bool SceneSpec::Fresh() const {
+  return !parameters.contains("sets") ||
+         Word("sets", {"fresh", "fixed"}) == "fresh";
 }
 
 std::string SceneSpec::Drawn() const {

@@ -4,6 +4,7 @@
 #define PITBENCH_HARNESS_SCENES_SPEC_H_
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -27,6 +28,9 @@ struct SceneSpec {
   // [low, high]. A suffix k or M stands for 2^10 or 2^20.
   std::int64_t Number(std::string_view key, std::int64_t low,
                       std::int64_t high) const;
+  // The value of a parameter; SceneError if it is none of `allowed`.
+  std::string_view Word(std::string_view key,
+                        std::initializer_list<std::string_view> allowed) const;
   // Whether parameter `sets` is `fresh`, as it is where the name does not give
   // it (else it is `fixed`).
   bool Fresh() const;

@@ -97,7 +97,8 @@ Triangle<double> Covering(Random& random, double share) {
 }  // namespace
 
 template <class T>
-Scene<T> UniformScene(const SceneSpec& spec, Loop loop, std::uint64_t seed) {
+Scene<T> UniformScene(const SceneSpec& spec, Loop loop, SceneSize /*size*/,
+                      std::uint64_t seed) {
   const auto bytes =
       static_cast<std::size_t>(spec.Number("bytes", 64, std::int64_t{1} << 32));
   const double share = static_cast<double>(spec.Number("hit", 0, 100)) / 100;
@@ -136,7 +137,9 @@ Scene<T> UniformScene(const SceneSpec& spec, Loop loop, std::uint64_t seed) {
   return scene;
 }
 
-template Scene<float> UniformScene(const SceneSpec&, Loop, std::uint64_t);
-template Scene<double> UniformScene(const SceneSpec&, Loop, std::uint64_t);
+template Scene<float> UniformScene(const SceneSpec&, Loop, SceneSize,
+                                   std::uint64_t);
+template Scene<double> UniformScene(const SceneSpec&, Loop, SceneSize,
+                                    std::uint64_t);
 
 }  // namespace pitbench

@@ -89,6 +89,9 @@ int Orientation(const Point<T>& a, const Point<T>& b, const Point<T>& c) {
     const Int128 left = difference(b.x, a.x) * difference(c.y, a.y);
     const Int128 right = difference(b.y, a.y) * difference(c.x, a.x);
     return (left > right) - (left < right);
+  } else if constexpr (std::same_as<T, mpq_class>) {
+    const int order = cmp((b.x - a.x) * (c.y - a.y), (b.y - a.y) * (c.x - a.x));
+    return (order > 0) - (order < 0);
   } else {
     const std::optional<int> sign = FilteredSign(a.x, a.y, b.x, b.y, c.x, c.y);
     return sign ? *sign : OrientationExactly(a, b, c);
@@ -101,6 +104,8 @@ template int Orientation(const Point<double>&, const Point<double>&,
                          const Point<double>&);
 template int Orientation(const Point<std::int32_t>&, const Point<std::int32_t>&,
                          const Point<std::int32_t>&);
+template int Orientation(const Point<mpq_class>&, const Point<mpq_class>&,
+                         const Point<mpq_class>&);
 template int OrientationExactly(const Point<float>&, const Point<float>&,
                                 const Point<float>&);
 template int OrientationExactly(const Point<double>&, const Point<double>&,

@@ -8,11 +8,12 @@ namespace pitbench {
 
 // The sign of the area of triangle abc: +1 counter-clockwise, −1 clockwise,
 // 0 collinear. Right for all finite coordinates (precondition: they are
-// finite). T is float, double or std::int32_t.
+// finite). T is float, double, std::int32_t or mpq_class.
 template <class T>
 int Orientation(const Point<T>& a, const Point<T>& b, const Point<T>& c);
 
-// The same by GMP alone, without the filter.
+// The same by GMP alone, without the filter. T is float, double or
+// std::int32_t.
 template <class T>
 int OrientationExactly(const Point<T>& a, const Point<T>& b, const Point<T>& c);
 

@@ -1,5 +1,7 @@
 #include "harness/truth/truth.h"
 
+#include <gmpxx.h>
+
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -79,6 +81,7 @@ template Position Classify(const Triangle<float>&, const Point<float>&);
 template Position Classify(const Triangle<double>&, const Point<double>&);
 template Position Classify(const Triangle<std::int32_t>&,
                            const Point<std::int32_t>&);
+template Position Classify(const Triangle<mpq_class>&, const Point<mpq_class>&);
 template Position ClassifyExactly(const Triangle<float>&, const Point<float>&);
 template Position ClassifyExactly(const Triangle<double>&,
                                   const Point<double>&);

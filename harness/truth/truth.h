@@ -30,14 +30,15 @@ struct Triangle {
   Point<T> c;
 };
 
-// Whether no coordinate is NaN or infinite. T is float, double or
-// std::int32_t.
+// Whether no coordinate is NaN or infinite. T is float, double, std::int32_t or
+// mpq_class.
 template <class T>
 bool IsFinite(const Triangle<T>& triangle, const Point<T>& p);
 
 // Where `p` lies. A triangle of area 0 is kDegenerate for every point; a
 // coordinate that is NaN or infinite makes the answer kOutside. T is float,
-// double or std::int32_t. Never overflows, underflows or throws.
+// double, std::int32_t, or mpq_class for numbers that none of those hold. Never
+// overflows, underflows or throws.
 template <class T>
 Position Classify(const Triangle<T>& triangle, const Point<T>& p);
 

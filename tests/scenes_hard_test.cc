@@ -1,0 +1,252 @@
+// The hard families are what their names say.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "harness/measure/answers.h"
+#include "harness/scenes/corpus.h"
+#include "harness/scenes/step.h"
+#include "harness/truth/orientation.h"
+#include "tests/made_scene.h"
+
+namespace pitbench {
+namespace {
+
+template <class T>
+class ScenesHardTest : public testing::Test {};
+using Scalars = testing::Types<float, double>;
+TYPED_TEST_SUITE(ScenesHardTest, Scalars);
+
+template <class T>
+std::array<T, 8> Coordinates(const Triangle<T>& t, const Point<T>& p) {
+  return {t.a.x, t.a.y, t.b.x, t.b.y, t.c.x, t.c.y, p.x, p.y};
+}
+
+// How many representable numbers lie between x and y, which are within 2^17 of
+// each other.
+template <class T>
+std::int64_t Apart(T x, T y) {
+  std::int64_t low = -(1 << 17);
+  std::int64_t high = 1 << 17;
+  while (low < high) {
+    const std::int64_t middle = (low + high) >> 1;
+    (Step(x, middle) < y ? low : high) =
+        Step(x, middle) < y ? middle + 1 : middle;
+  }
+  return std::abs(low);
+}
+
+TEST(StepTest, CountsNumbersOnBothSidesOfZero) {
+  const float tiny = std::numeric_limits<float>::denorm_min();
+  EXPECT_EQ(Step(0.0f, 1), tiny);
+  EXPECT_EQ(Step(0.0f, -1), -tiny);
+  EXPECT_EQ(Step(-0.0f, 1), tiny);
+  EXPECT_EQ(Step(tiny, -2), -tiny);
+  EXPECT_EQ(Step(1.0, 1), std::nextafter(1.0, 2.0));
+  EXPECT_EQ(Step(-1.0, 3), -1 + 3 * 0x1p-53);
+  EXPECT_EQ(Apart(-tiny, tiny), 2);
+}
+
+TYPED_TEST(ScenesHardTest, NearVertexPointsAreThatManyNumbersFromAVertex) {
+  for (const std::int64_t ulps : {0, 1, 16, 65536}) {
+    for (const Loop loop : kLoops) {
+      ForEachAnswer(
+          Make<TypeParam>("near_vertex:ulps=" + std::to_string(ulps), loop),
+          [&](const auto& t, const auto& p) {
+            std::int64_t nearest = std::numeric_limits<std::int64_t>::max();
+            for (const auto& v : {t.a, t.b, t.c}) {
+              // Anywhere near: else Apart would not know.
+              if (std::abs(v.x - p.x) > 0.02 || std::abs(v.y - p.y) > 0.02) {
+                continue;
+              }
+              nearest =
+                  std::min(nearest, std::max(Apart(v.x, p.x), Apart(v.y, p.y)));
+            }
+            EXPECT_EQ(nearest, ulps) << Name(loop);
+          });
+    }
+  }
+}
+
+TYPED_TEST(ScenesHardTest, ScaleFillsASquareOfThatSize) {
+  using Limits = std::numeric_limits<TypeParam>;
+  const int lowest = Limits::min_exponent - Limits::digits + 4;
+  for (const int exponent :
+       {lowest, Limits::min_exponent, 0, Limits::max_exponent - 1}) {
+    const TypeParam side = std::ldexp(TypeParam{1}, exponent);
+    for (const Loop loop : kLoops) {
+      const auto scene =
+          Make<TypeParam>("scale:exponent=" + std::to_string(exponent), loop);
+      TypeParam largest = 0;
+      ForEachAnswer(scene, [&](const auto& t, const auto& p) {
+        for (const TypeParam x : Coordinates(t, p)) {
+          EXPECT_GE(x, 0);
+          EXPECT_LE(x, side);
+          largest = std::max(largest, x);
+        }
+      });
+      EXPECT_GT(largest, side / 2) << exponent;
+      const SceneTruth truth = JudgeScene(scene);
+      EXPECT_GT(truth.interior, kSize.groups * kSize.size / 20) << exponent;
+      EXPECT_GT(truth.exterior, kSize.groups * kSize.size / 3) << exponent;
+    }
+  }
+  EXPECT_THROW(Make<TypeParam>("scale:exponent=" + std::to_string(lowest - 1),
+                               Loop::kPairs),
+               SceneError);
+}
+
+TYPED_TEST(ScenesHardTest, ExponentsSpreadOverThatManyBinades) {
+  for (const int binades : {0, 10, sizeof(TypeParam) == 4 ? 60 : 120}) {
+    const std::string name =
+        "exponent_spread:binades=" + std::to_string(binades);
+    for (const Loop loop : kLoops) {
+      const auto scene = Make<TypeParam>(name, loop);
+      // Of what is drawn and not computed: of the triangles, or of the points.
+      int lowest = 0;
+      const bool one_point = loop == Loop::kOnePoint;
+      for (const auto* array : {one_point ? &scene.px : &scene.ax,
+                                one_point ? &scene.py : &scene.cy}) {
+        for (const TypeParam x : *array) {
+          EXPECT_LE(std::abs(x), 1);
+          EXPECT_GE(std::ilogb(x), -binades - 1);
+          lowest = std::min(lowest, std::ilogb(x));
+        }
+      }
+      EXPECT_LE(lowest, -binades * 3 / 5) << Name(loop);
+      // Rounding onto an edge leaves points on both sides.
+      const SceneTruth truth = JudgeScene(scene);
+      const std::size_t all = kSize.groups * kSize.size;
+      EXPECT_GT(truth.interior + truth.boundary, all / 10) << Name(loop);
+      EXPECT_GT(truth.exterior, all / 10) << Name(loop);
+      EXPECT_LT(truth.degenerate, all / 10) << Name(loop);
+    }
+  }
+}
+
+TYPED_TEST(ScenesHardTest, DegenerateTrianglesHaveNoAreaAtAll) {
+  for (const std::string kind : {"collinear", "doubled", "single"}) {
+    for (const Loop loop : kLoops) {
+      std::size_t on_line = 0;
+      std::size_t all = 0;
+      ForEachAnswer(
+          Make<TypeParam>("degenerate:kind=" + kind, loop),
+          [&](const auto& t, const auto& p) {
+            EXPECT_EQ(OrientationExactly(t.a, t.b, t.c), 0);
+            const std::set<std::pair<TypeParam, TypeParam>> different = {
+                {t.a.x, t.a.y}, {t.b.x, t.b.y}, {t.c.x, t.c.y}};
+            EXPECT_EQ(different.size(), kind == "collinear" ? 3u
+                                        : kind == "doubled" ? 2u
+                                                            : 1u);
+            ++all;
+            if (kind == "single") {
+              on_line += p.x == t.a.x && p.y == t.a.y ? 1u : 0u;
+            } else {
+              on_line +=
+                  Orientation(t.a, t.b, p) == 0 && Orientation(t.b, t.c, p) == 0
+                      ? 1u
+                      : 0u;
+            }
+          });
+      EXPECT_GT(on_line, all * 4 / 10) << kind << " " << Name(loop);
+      EXPECT_LT(on_line, all * 6 / 10) << kind << " " << Name(loop);
+    }
+  }
+}
+
+// How many coordinates of the scene's arrays hold.
+template <class T, class Holds>
+std::size_t CountCoordinates(const Scene<T>& scene, const Holds& holds) {
+  std::size_t count = 0;
+  for (const auto* array : {&scene.ax, &scene.ay, &scene.bx, &scene.by,
+                            &scene.cx, &scene.cy, &scene.px, &scene.py}) {
+    count += static_cast<std::size_t>(std::ranges::count_if(*array, holds));
+  }
+  return count;
+}
+
+TYPED_TEST(ScenesHardTest, SpecialValuesAreInTrianglesAndPoints) {
+  using T = TypeParam;
+  using Limits = std::numeric_limits<T>;
+  struct Kind {
+    std::string name;
+    bool (*has)(T);
+    bool finite;
+  };
+  const Kind kinds[] = {
+      {"nan", [](T x) { return std::isnan(x); }, false},
+      {"infinite", [](T x) { return std::isinf(x); }, false},
+      {"minus_zero", [](T x) { return x == 0 && std::signbit(x); }, true},
+      {"subnormal", [](T x) { return x != 0 && std::abs(x) < Limits::min(); },
+       true},
+      {"largest", [](T x) { return std::abs(x) == Limits::max(); }, true}};
+  for (const Kind& kind : kinds) {
+    for (const Loop loop : kLoops) {
+      const auto scene = Make<T>("special:kind=" + kind.name, loop);
+      std::size_t in_triangles = 0;
+      std::size_t in_points = 0;
+      std::size_t all = 0;
+      ForEachAnswer(scene, [&](const auto& t, const auto& p) {
+        const auto at = Coordinates(t, p);
+        ++all;
+        in_triangles += std::any_of(at.begin(), at.begin() + 6, kind.has);
+        in_points += std::any_of(at.begin() + 6, at.end(), kind.has);
+        EXPECT_TRUE(IsFinite(t, p) || !kind.finite) << kind.name;
+      });
+      EXPECT_GT(in_triangles, 0u) << kind.name << " " << Name(loop);
+      EXPECT_GT(in_points, 0u) << kind.name << " " << Name(loop);
+      EXPECT_LT(CountCoordinates(scene, kind.has),
+                2 * scene.px.size() + 6 * scene.ax.size())
+          << kind.name << ": nothing to compare it with";
+      // Something is to be found in all of them.
+      const SceneTruth truth = JudgeScene(scene);
+      EXPECT_GT(truth.interior, all / 50) << kind.name << " " << Name(loop);
+      EXPECT_GT(truth.exterior, all / 5) << kind.name << " " << Name(loop);
+      EXPECT_EQ(truth.degenerate, 0u) << kind.name << " " << Name(loop);
+    }
+  }
+}
+
+TYPED_TEST(ScenesHardTest, InfinityAndZeroHaveBothSigns) {
+  const auto infinite = Make<TypeParam>("special:kind=infinite", Loop::kPairs);
+  const auto zeros = Make<TypeParam>("special:kind=minus_zero", Loop::kPairs);
+  for (const bool negative : {false, true}) {
+    const auto sign = [&](TypeParam x) { return std::signbit(x) == negative; };
+    EXPECT_GT(
+        CountCoordinates(infinite,
+                         [&](TypeParam x) { return std::isinf(x) && sign(x); }),
+        0u);
+    EXPECT_GT(
+        CountCoordinates(zeros, [&](TypeParam x) { return x == 0 && sign(x); }),
+        0u);
+  }
+}
+
+TYPED_TEST(ScenesHardTest, CorpusHoldsTheCasesOfItsScalarWithTheirTruth) {
+  for (const Loop loop : kLoops) {
+    const auto scene = Make<TypeParam>("corpus", loop);
+    std::vector<std::string> positions;
+    ForEachAnswer(scene, [&](const auto& t, const auto& p) {
+      positions.emplace_back(Name(Classify(t, p)));
+    });
+    std::vector<std::string> expected;
+    for (const CorpusCase& one : RealWorldCorpus()) {
+      if (one.scalar == Name(ScalarOf<TypeParam>())) {
+        expected.push_back(one.truth);
+      }
+    }
+    EXPECT_GT(expected.size(), 5u);
+    EXPECT_EQ(positions, expected) << Name(loop);
+  }
+}
+
+}  // namespace
+}  // namespace pitbench
