@@ -95,12 +95,12 @@ struct StaticFilter {
     b1 = static_cast<T>(b1_wide);
     c1 = static_cast<T>(-(a1_wide * bx + b1_wide * by));
     k = static_cast<T>(area * sign);
-    // Infinite or NaN where a coordinate is, which makes Holds() false.
-    t = static_cast<T>(kUnit * bound +
-                       static_cast<double>(std::numeric_limits<T>::min()));
-    if (!(size < static_cast<double>(std::numeric_limits<T>::max()) / 8)) {
-      t = std::numeric_limits<T>::infinity();
-    }
+    const bool in_range =
+        size < static_cast<double>(std::numeric_limits<T>::max()) / 8;
+    t = in_range
+            ? static_cast<T>(kUnit * bound +
+                             static_cast<double>(std::numeric_limits<T>::min()))
+            : std::numeric_limits<T>::quiet_NaN();  // Holds() is false
   }
 };
 
