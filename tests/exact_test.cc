@@ -1,15 +1,18 @@
 // The exact methods are right for every finite input.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "harness/measure/verify.h"
 #include "harness/scenes/random.h"
 #include "harness/truth/expected.h"
 #include "kernels/exact/contains.h"
+#include "tests/judged_scene.h"
 #include "tests/kernel_answers.h"
 
 namespace pitbench {
@@ -98,41 +101,34 @@ TYPED_TEST(ExactTest, AnyBitsAgreeWithTruth) {
   EXPECT_GT(boundary, kRandomInputs / 100);
 }
 
-// Of the triangles around an inner point that is a vertex, or lies on an edge,
-// exactly one claims it.
+// Points off, on and at the ends of the edges of a mesh: exactly one of the
+// triangles around them claims each.
 TYPED_TEST(ExactTest, TopLeftGivesEveryPointOfAMeshToOneTriangle) {
-  using T = TypeParam;
   for (const Kernel* kernel : this->ExactKernels()) {
-    if (kernel->method.key != "exact_top_left") continue;
-    Random random(9);
-    for (int k = 0; k < 200; ++k) {
-      // A hub, and a rim around it in counter-clockwise order.
-      const auto hub_x = static_cast<T>(random.In(-0.25, 0.25));
-      const Point<T> hub{hub_x, static_cast<T>(random.In(-0.25, 0.25))};
-      const Point<T> rim[] = {
-          {1, static_cast<T>(random.In(-0.5, 0.5))},
-          {static_cast<T>(random.In(-0.5, 0.5)), 1},
-          {-1, static_cast<T>(random.In(-0.5, 0.5))},
-          {static_cast<T>(random.In(-0.5, 0.5)), -1},
-      };
-      std::vector<Triangle<T>> fan;
-      std::vector<Point<T>> points = {hub};
-      for (std::size_t i = 0; i < 4; ++i) {
-        fan.push_back({hub, rim[i], rim[(i + 1) % 4]});
-        if (random.Below(2) == 0) std::swap(fan.back().a, fan.back().c);
-        // Near the spoke, and on it where halves are exact.
-        for (const T s : {T{0.5}, T{0.25}, static_cast<T>(random.Unit() / 2)}) {
-          points.push_back(
-              {hub.x + s * (rim[i].x - hub.x), hub.y + s * (rim[i].y - hub.y)});
+    if (kernel->method.boundary != Boundary::kTopLeft) continue;
+    for (const char* mesh : {"pair", "fan", "triangulation"}) {
+      for (const int ulps : {0, 1}) {
+        const Scene<TypeParam>& scene =
+            FindJudgedScene<TypeParam>(
+                "mesh_" + std::string(mesh) + ":ulps=" + std::to_string(ulps),
+                kernel->loop)
+                .scene;
+        ASSERT_FALSE(scene.query.empty());
+        std::vector<int> claims;
+        std::size_t answer = 0;
+        for (const Call& call : scene.calls) {
+          std::vector<std::uint8_t> bits(scene.OutputBytes(call));
+          FunctionOf<TypeParam> (*kernel)(
+              scene.BatchOf(call), Result<TypeParam>{.bits = bits.data()});
+          for (std::size_t i = 0; i < call.n; ++i, ++answer) {
+            const std::size_t query = scene.query[answer];
+            if (claims.size() <= query) claims.resize(query + 1);
+            claims[query] += (bits[i / 8] >> (i % 8) & 1) != 0 ? 1 : 0;
+          }
         }
-      }
-      const AnswerTable<T> table = AskAll(*kernel, fan, points);
-      for (std::size_t p = 0; p < points.size(); ++p) {
-        int claims = 0;
-        for (std::size_t t = 0; t < fan.size(); ++t) {
-          claims += table.Inside(t, p) ? 1 : 0;
-        }
-        ASSERT_EQ(claims, 1) << NameOf(*kernel) << ": " << points[p];
+        EXPECT_EQ(std::count(claims.begin(), claims.end(), 1),
+                  static_cast<std::ptrdiff_t>(claims.size()))
+            << NameOf(*kernel) << ", " << scene.name;
       }
     }
   }
