@@ -4,6 +4,7 @@
 #define PITBENCH_HARNESS_SCENES_SCENE_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <string>
@@ -50,6 +51,11 @@ struct Scene {
   std::size_t width = 0;  // of the grid, in pixels; loop grid only
   std::size_t height = 0;
   std::vector<Call> calls;
+  // Mesh scenes only: which query each answer is about, in the order of calls
+  // and answers; else empty. Queries are numbered from 0; a query is a point in
+  // the interior of the mesh's domain, asked of every triangle of the mesh that
+  // could hold it.
+  std::vector<std::uint32_t> query;
 
   void Add(const Triangle<T>& t) {
     ax.push_back(t.a.x);
