@@ -78,7 +78,7 @@ def open_timing_lock(path: str) -> int:
 
 @contextlib.contextmanager
 def timing_lock(kind: str, say: Callable[[str], None]) -> Iterator[int]:
-    """Holds the machine-wide lock: alone for speed, shared for accuracy."""
+    """Holds the machine-wide lock: alone for speed, else shared."""
     path = os.environ.get("PITBENCH_TIMING_LOCK", TIMING_LOCK)
     operation = fcntl.LOCK_EX if kind == "speed" else fcntl.LOCK_SH
     descriptor = open_timing_lock(path)

@@ -24,6 +24,7 @@ constexpr char kExamples[] = R"(Examples:
   pitbench accuracy --filter '/near_edge:.*/uv_projection/' --out accuracy.json
   pitbench accuracy --scene needle:aspect=14 --out needle.json
   pitbench speed --triangles T.csv --points P.csv --out own.json
+  pitbench hunt --method uv_projection --scalar f32 --seconds 5
   pitbench shards --profile full
 Exit codes: 0 done, 1 a check did not hold, 2 the input or the call was wrong.)";
 
@@ -48,7 +49,12 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   pitbench::AddList(app);
   pitbench::AddClassify(app);
-  pitbench::AddMeasure(app);
+  pitbench::AddSpeed(app);
+  pitbench::AddAccuracy(app);
+  pitbench::AddMaps(app);
+  pitbench::AddHunt(app);
+  pitbench::AddMachine(app);
+  pitbench::AddShards(app);
   const std::string suggestion = Suggestion(app, argc, argv);
   if (!suggestion.empty()) {
     std::cerr << "pitbench: " << suggestion << '\n';

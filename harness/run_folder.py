@@ -15,10 +15,14 @@ from typing import Any
 from locks import Refusal
 
 
+# What a shard may measure, in the order in which a sweep does.
+KINDS = ("speed", "accuracy", "maps")
+
+
 @dataclass(frozen=True)
 class Shard:
     name: str
-    kind: str  # "speed" or "accuracy"
+    kind: str  # one of KINDS
     arguments: tuple[str, ...]
 
 
@@ -47,7 +51,7 @@ def list_shards(pitbench: str, profile: str) -> list[Shard]:
         fields = line.split("\t")
         if (
             len(fields) != 3
-            or fields[1] not in ("speed", "accuracy")
+            or fields[1] not in KINDS
             or not re.fullmatch(r"[\w.=:+-]+", fields[0])
         ):
             raise Refusal(f"pitbench shards printed a line not understood: {line!r}")
@@ -82,7 +86,7 @@ def began_with(out: Path) -> tuple[dict[str, Any], dict[str, Any]] | None:
     """machine.json and sweep.json of a folder that was begun, else None."""
     files = [out / "machine.json", out / "sweep.json"]
     if not all(file.exists() for file in files):
-        if any(out.glob("speed-*.json")) or any(out.glob("accuracy-*.json")):
+        if any(any(out.glob(f"{kind}*.json")) for kind in KINDS):
             raise Refusal(
                 f"{out} holds results but not both of machine.json and sweep.json, "
                 "so where they come from is unknown: give another folder"

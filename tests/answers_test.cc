@@ -33,11 +33,18 @@ TEST(JudgeSceneTest, HandMadeSceneIsJudgedRight) {
   EXPECT_EQ(truth.exterior, 4u + 1u);  // NaN in the degenerate one as well
   EXPECT_EQ(truth.boundary, 2u);
   EXPECT_EQ(truth.degenerate, 8u);
+  EXPECT_EQ(truth.not_finite, 2u);
   ASSERT_EQ(truth.calls.size(), 2u);
   EXPECT_EQ(truth.calls[0].inside,
             (Bits{1u << kInNearA | 1u << kInNearB | 1u << kInNearC, 0}));
   EXPECT_EQ(truth.calls[0].boundary, (Bits{1u << kOnBc | 1u << kOnA, 0}));
+  EXPECT_EQ(truth.calls[0].not_finite, (Bits{1u << kNotANumber, 0}));
+  EXPECT_EQ(truth.calls[0].strict,
+            (Bits{1u << kInNearA | 1u << kInNearB | 1u << kInNearC |
+                      1u << kOutBehindBc | 1u << kOutLeft,
+                  1u << (kOutFar - 8)}));
   EXPECT_EQ(truth.calls[1].inside, (Bits{0, 0}));
+  EXPECT_EQ(truth.calls[1].strict, (Bits{0, 0}));
 }
 
 TEST(AskTest, RightKernelIsRight) {

@@ -44,14 +44,16 @@ check() {
 readonly run=$work/results/tiny
 sweep=("$python" harness/sweep.py --pitbench "$pitbench" --profile tiny --out "$run")
 
-shard_files() { find "$run" -maxdepth 1 -name 'speed-*.json' -o -maxdepth 1 -name 'accuracy-*.json'; }
+shard_files() {
+  find "$run" -maxdepth 1 \( -name 'speed-*.json' -o -name 'accuracy-*.json' -o -name maps.json \)
+}
 
 # The commands of the shards that the sweep is running now.
 running_shards() {
   local child
   # shellcheck disable=SC2013  # one line of words
   for child in $(cat "/proc/$1/task/$1/children" 2>/dev/null); do
-    tr '\0' ' ' <"/proc/$child/cmdline" 2>/dev/null | grep -E ' (speed|accuracy) ' || true
+    tr '\0' ' ' <"/proc/$child/cmdline" 2>/dev/null | grep -E ' (speed|accuracy|maps) ' || true
   done
 }
 
@@ -188,7 +190,7 @@ agrees_with_real_world() {
 
 help_has_examples() {
   local command
-  for command in '' classify speed accuracy machine shards list; do
+  for command in '' classify speed accuracy maps hunt machine shards list; do
     # shellcheck disable=SC2086  # '' is no argument
     "$pitbench" $command --help | tee -a "$work/help" | grep -q . || return
   done
@@ -270,9 +272,32 @@ check 'a mistyped scene suggests the nearest' refused 'near_edge' \
   accuracy --scene near_egde:ulps=1 --out "$bad/out.json"
 check 'speed needs --out' refused 'out' speed --profile tiny
 
+hunts() {
+  "$pitbench" hunt --method uv_projection --scalar f32 --seconds 0.2 \
+    --out "$work/hunt.csv" >"$work/answers" && cmp "$work/answers" "$work/hunt.csv" || return
+  # What it says of the truth is what classify says.
+  { echo $header && tail -n +2 "$work/hunt.csv" | cut -d, -f3-10; } >"$work/cases.csv"
+  diff <(tail -n +2 "$work/hunt.csv" | cut -d, -f12) \
+    <("$pitbench" classify --method truth --scalar f32 "$work/cases.csv") &&
+    diff <(tail -n +2 "$work/hunt.csv" | cut -d, -f11) \
+      <("$pitbench" classify --method uv_projection --scalar f32 "$work/cases.csv") &&
+    [[ $(wc -l <"$work/hunt.csv") -ge 2 ]]
+}
+check 'hunt finds wrong answers and prints what it stores' hunts
+check 'hunt refuses to hunt for no time' refused 'seconds' \
+  hunt --method uv_projection --seconds 0
+check 'hunt refuses a time that is no number' refused 'seconds' \
+  hunt --method uv_projection --seconds soon
+check 'hunt suggests the nearest method' refused 'uv_projection' \
+  hunt --method uv_projektion --seconds 1
+check 'hunt refuses a mistyped ISA' refused 'avx2' \
+  hunt --method uv_projection --isa avx22 --seconds 1
+check 'hunt refuses to write to a folder' refused 'bad' \
+  hunt --method uv_projection --seconds 1 --out "$bad"
+
 readonly quick_cell='^one_triangle/uniform.*/cross_product/f32/scalar$'
 for place in "$bad/no/such/folder/out.json" "$bad/word.csv/out.json" "$bad"; do
-  for kind in speed accuracy; do
+  for kind in speed accuracy maps; do
     check "$kind refuses to write to ${place#"$work/"}" refused "${place##*/}" \
       "$kind" --profile tiny --filter "$quick_cell" --out "$place"
   done

@@ -1,12 +1,11 @@
-#include <algorithm>
 #include <array>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "harness/command/commands.h"
+#include "harness/command/find_kernel.h"
 #include "harness/input/csv.h"
-#include "harness/input/nearest.h"
 #include "harness/scenes/scene.h"
 
 namespace pitbench {
@@ -14,43 +13,6 @@ namespace {
 
 constexpr std::array<std::string_view, 8> kHeader = {"ax", "ay", "bx", "by",
                                                      "cx", "cy", "px", "py"};
-
-// `name` if it is one of `names`, else InputError with the nearest of them.
-void Require(std::string_view kind, std::string_view name,
-             const std::vector<std::string_view>& names) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
-    throw InputError(NoSuch(kind, name, names));
-  }
-}
-
-// The kernel of loop pairs for a method and scalar: on `isa`, or on the widest
-// that runs here if that is empty.
-const Kernel& FindKernel(const std::string& method, Scalar scalar,
-                         const std::string& isa) {
-  std::vector<std::string_view> methods = {"truth"};
-  std::vector<std::string_view> isas;
-  const Kernel* found = nullptr;
-  for (const Kernel& kernel : AllKernels()) {
-    methods.push_back(kernel.method.key);
-    isas.push_back(Name(kernel.isa));
-    if (kernel.method.key == method && kernel.scalar == scalar &&
-        kernel.loop == Loop::kPairs && kernel.output == Output::kInside &&
-        (isa.empty() ? RunsHere(kernel.isa) : Name(kernel.isa) == isa)) {
-      if (found == nullptr || kernel.isa > found->isa) found = &kernel;
-    }
-  }
-  Require("method", method, methods);
-  if (!isa.empty()) Require("ISA", isa, isas);
-  if (found == nullptr) {
-    throw InputError("method '" + method + "' is not compiled for ISA '" + isa +
-                     "': see pitbench list");
-  }
-  if (!RunsHere(found->isa)) {
-    throw InputError("ISA '" + isa +
-                     "' does not run on this CPU: see pitbench list");
-  }
-  return *found;
-}
 
 template <class T>
 std::string ClassifyRows(const Kernel* kernel, const std::string& path) {
@@ -104,15 +66,15 @@ void AddClassify(CLI::App& app) {
   classify->add_option("FILE", a->file, "the cases; - for standard input")
       ->required();
   classify->callback([a] {
-    Require("scalar", a->scalar, {"f32", "f64"});
-    const Scalar scalar = a->scalar == "f32" ? Scalar::kF32 : Scalar::kF64;
+    const Scalar scalar = FloatScalar(a->scalar);
     const bool truth = a->method == "truth";
     if (truth && !a->isa.empty()) {
       throw InputError(
           "--isa goes with a method, not with truth: leave it out");
     }
     const Kernel* kernel =
-        truth ? nullptr : &FindKernel(a->method, scalar, a->isa);
+        truth ? nullptr
+              : &FindPairsKernel(a->method, scalar, a->isa, {"truth"});
     // All words or none: a bad line is an error before the first is printed.
     std::cout << (scalar == Scalar::kF32
                       ? ClassifyRows<float>(kernel, a->file)

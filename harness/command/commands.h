@@ -9,7 +9,12 @@ namespace pitbench {
 
 void AddList(CLI::App& app);      // list
 void AddClassify(CLI::App& app);  // classify
-void AddMeasure(CLI::App& app);   // speed, accuracy, machine, shards
+void AddSpeed(CLI::App& app);     // speed
+void AddAccuracy(CLI::App& app);  // accuracy
+void AddMaps(CLI::App& app);      // maps
+void AddHunt(CLI::App& app);      // hunt
+void AddMachine(CLI::App& app);   // machine
+void AddShards(CLI::App& app);    // shards
 
 }  // namespace pitbench
 

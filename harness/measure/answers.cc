@@ -10,10 +10,6 @@
 namespace pitbench {
 namespace {
 
-void SetBit(Bits& bits, std::size_t i) {
-  bits[i / 8] = static_cast<std::uint8_t>(bits[i / 8] | 1u << (i % 8));
-}
-
 // How much nearer to B or C than to A the point is, as a weight: positive
 // where cross_solve_published must say outside, negative where the point is in
 // the third of the triangle that it accepts.
@@ -120,20 +116,33 @@ SceneTruth JudgeScene(const Scene<T>& scene) {
   SceneTruth truth;
   for (const Call& call : scene.calls) {
     CallTruth& judged = truth.calls.emplace_back();
-    judged.inside.resize(scene.OutputBytes(call));
-    judged.boundary.resize(scene.OutputBytes(call));
+    const std::size_t bytes = scene.OutputBytes(call);
+    for (Bits* bits : {&judged.inside, &judged.boundary, &judged.strict,
+                       &judged.not_finite}) {
+      bits->resize(bytes);
+    }
     for (std::size_t i = 0; i < scene.Answers(call); ++i) {
-      switch (Classify(scene.TriangleOf(call, i), scene.PointOf(call, i))) {
+      const Triangle<T> t = scene.TriangleOf(call, i);
+      const Point<T> p = scene.PointOf(call, i);
+      const std::size_t bit = scene.BitOf(i);
+      switch (Classify(t, p)) {
         case Position::kInside:
-          SetBit(judged.inside, scene.BitOf(i));
+          SetBit(judged.inside, bit);
+          SetBit(judged.strict, bit);
           ++truth.interior;
           break;
         case Position::kBoundary:
-          SetBit(judged.boundary, scene.BitOf(i));
+          SetBit(judged.boundary, bit);
           ++truth.boundary;
           break;
         case Position::kOutside:
           ++truth.exterior;
+          if (IsFinite(t, p)) {
+            SetBit(judged.strict, bit);
+          } else {
+            SetBit(judged.not_finite, bit);
+            ++truth.not_finite;
+          }
           break;
         case Position::kDegenerate:
           ++truth.degenerate;
@@ -145,11 +154,9 @@ SceneTruth JudgeScene(const Scene<T>& scene) {
 }
 
 template <class T>
-Answers<T> Ask(const Kernel& kernel, const Scene<T>& scene,
-               const SceneTruth& truth) {
+Answers<T> Run(const Kernel& kernel, const Scene<T>& scene) {
   Answers<T> answers;
-  for (std::size_t c = 0; c < scene.calls.size(); ++c) {
-    const Call& call = scene.calls[c];
+  for (const Call& call : scene.calls) {
     Bits& bits = answers.bits.emplace_back(scene.OutputBytes(call));
     Result<T> result{.bits = bits.data()};
     if (kernel.output == Output::kWeights) {
@@ -158,9 +165,19 @@ Answers<T> Ask(const Kernel& kernel, const Scene<T>& scene,
       }
     }
     FunctionOf<T>(kernel)(scene.BatchOf(call), result);
+  }
+  return answers;
+}
 
+template <class T>
+Answers<T> Ask(const Kernel& kernel, const Scene<T>& scene,
+               const SceneTruth& truth) {
+  Answers<T> answers = Run(kernel, scene);
+  for (std::size_t c = 0; c < scene.calls.size(); ++c) {
+    const Bits& bits = answers.bits[c];
     const CallTruth& judged = truth.calls[c];
-    const std::size_t row = scene.loop == Loop::kGrid ? scene.width : call.n;
+    const std::size_t row =
+        scene.loop == Loop::kGrid ? scene.width : scene.calls[c].n;
     const std::size_t row_bytes = BitBytes(row);
     for (std::size_t byte = 0; byte < bits.size(); ++byte) {
       const unsigned said = bits[byte];
@@ -205,6 +222,7 @@ std::optional<std::string> Refusal(const Kernel& kernel, const Scene<T>& scene,
 
 #define PITBENCH_INSTANTIATE(T)                                               \
   template SceneTruth JudgeScene(const Scene<T>&);                            \
+  template Answers<T> Run(const Kernel&, const Scene<T>&);                    \
   template Answers<T> Ask(const Kernel&, const Scene<T>&, const SceneTruth&); \
   template std::optional<std::string> Refusal(const Kernel&, const Scene<T>&, \
                                               const SceneTruth&)

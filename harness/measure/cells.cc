@@ -141,7 +141,7 @@ Profile WithScenes(const Profile& profile,
 
 std::vector<Shard> Shards(const Profile& profile) {
   // Speed: what is compared with each other, so each loop and scalar. Accuracy:
-  // each family and scalar.
+  // each family and scalar. Maps: all in one, they take a second.
   std::vector<Shard> shards;
   std::set<std::string> names;
   const auto add = [&](const std::string& kind, const std::string& part,
@@ -163,6 +163,7 @@ std::vector<Shard> Shards(const Profile& profile) {
     add("accuracy", family, scene.scalar,
         "^[^/]*/" + family + "[:/].*/" + std::string(Name(scene.scalar)) + "/");
   }
+  shards.push_back({"maps", "maps", "/"});
   return shards;
 }
 

@@ -1,0 +1,31 @@
+#include "harness/measure/maps.h"
+
+#include <iostream>
+
+#include "harness/command/arguments.h"
+#include "harness/command/commands.h"
+#include "harness/command/output.h"
+
+namespace pitbench {
+
+void AddMaps(CLI::App& app) {
+  CLI::App* maps = app.add_subcommand(
+      "maps",
+      "What every method says of points an ulp apart, and its weights over a\n"
+      "triangle near the origin and far from it (the same in all profiles)");
+  const std::shared_ptr<Arguments> arguments = AddArguments(*maps);
+  maps->callback([a = arguments] {
+    FindProfile(a->profile);  // throws if there is none
+    const std::regex filter = Filter(a->filter);
+    OutputFile out(a->out);
+    nlohmann::json file = MakeMaps(filter);
+    const std::size_t count =
+        file["ulp_maps"].size() + file["gradients"].size();
+    if (count == 0) NoCells(*a);
+    file["context"] = Context("pitbench-maps-1", *a);
+    out.Commit(file.dump() + "\n");
+    std::cerr << a->out << ": " << count << " maps\n";
+  });
+}
+
+}  // namespace pitbench

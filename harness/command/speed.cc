@@ -1,0 +1,63 @@
+#include "harness/measure/speed.h"
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <regex>
+
+#include "harness/command/arguments.h"
+#include "harness/command/commands.h"
+#include "harness/command/output.h"
+#include "harness/command/own_scenes.h"
+#include "harness/measure/clock.h"
+
+namespace pitbench {
+namespace {
+
+using nlohmann::json;
+
+void Speed(const Arguments& a) {
+  const Profile profile = Asked(a);
+  const std::regex filter = Filter(a.filter);
+  OutputFile out(a.out);
+  const int cpu = PinToLastCpu();
+  const double clock_before = ClockGhz();
+  const double steal_before = StealSeconds();
+  const auto start = std::chrono::steady_clock::now();
+  SpeedRun run = a.triangles.empty()
+                     ? MeasureSpeed(profile, filter, a.seed)
+                     : MeasureSpeedOn(OwnScenes<float>(a.triangles, a.points),
+                                      OwnScenes<double>(a.triangles, a.points),
+                                      filter, profile.seconds_per_sample);
+  if (run.cells == 0) NoCells(a);
+  const std::chrono::duration<double> time =
+      std::chrono::steady_clock::now() - start;
+  const double clock_after = ClockGhz();
+  std::array<double, 1> load{};
+  getloadavg(load.data(), 1);
+  json context = Context("pitbench-speed-1", a);
+  context.update(
+      {{"cpu", cpu},
+       {"clock_before_ghz", clock_before},
+       {"clock_after_ghz", clock_after},
+       {"steal_percent", 100 * (StealSeconds() - steal_before) / time.count()},
+       {"load_average", load[0]}});
+  run.file["context"]["pitbench"] = context;
+  out.Commit(run.file.dump() + "\n");
+  std::cerr << a.out << ": " << run.cells << " cells";
+  if (run.refused != 0) std::cerr << ", " << run.refused << " refused";
+  std::cerr << '\n';
+}
+
+}  // namespace
+
+void AddSpeed(CLI::App& app) {
+  CLI::App* speed = app.add_subcommand(
+      "speed", "Times the cells of a profile, or your own scene");
+  const std::shared_ptr<Arguments> arguments = AddArguments(*speed);
+  AddSceneArguments(*speed, arguments);
+  speed->callback([a = arguments] { Speed(*a); });
+}
+
+}  // namespace pitbench

@@ -1,0 +1,133 @@
+// The worst known input of every method, from `pitbench hunt`: still answered
+// as the table says, by every kernel of the method that runs here.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "harness/truth/weights.h"
+#include "tests/kernel_answers.h"
+
+namespace pitbench {
+namespace {
+
+using Row = std::vector<std::string>;
+
+constexpr std::size_t kFirstCoordinate = 2;
+constexpr std::size_t kSaid = 10;
+constexpr std::size_t kTruth = 11;
+constexpr std::size_t kDistance = 12;
+constexpr std::size_t kFields = 13;
+
+// The rows of tests/worst_inputs.csv by method and scalar.
+std::multimap<std::pair<std::string, std::string>, Row> ReadRows() {
+  std::ifstream file(PITBENCH_TESTS_DIR "/worst_inputs.csv");
+  std::string line;
+  std::getline(file, line);
+  EXPECT_EQ(line,
+            "method,scalar,ax,ay,bx,by,cx,cy,px,py,said,truth,distance_ulps");
+  std::multimap<std::pair<std::string, std::string>, Row> rows;
+  while (std::getline(file, line)) {
+    Row row;
+    std::istringstream fields(line + ",");
+    for (std::string field; std::getline(fields, field, ',');) {
+      row.push_back(field);
+    }
+    EXPECT_EQ(row.size(), kFields) << line;
+    if (row.size() == kFields) {
+      rows.emplace(std::pair{row[0], row[1]}, std::move(row));
+    }
+  }
+  return rows;
+}
+
+// Rows kept as a warning need none: what they get wrong is no secret.
+template <class M>
+bool IsWarning(const M& method) {
+  if constexpr (requires { method.warning; }) {
+    return !method.warning.empty();
+  } else {
+    return false;
+  }
+}
+
+bool NeedsARow(const Kernel& kernel) {
+  return kernel.scalar != Scalar::kI32 && !IsWarning(kernel.method) &&
+         !kernel.method.key.starts_with("exact");
+}
+
+// A method without a row: run `pitbench hunt --method … --scalar … --seconds 5`
+// and add the first line that it prints.
+TEST(WorstInputsTest, EveryMethodHasOneRowAScalar) {
+  const auto rows = ReadRows();
+  std::set<std::pair<std::string, std::string>> needed;
+  for (const Kernel& kernel : AllKernels()) {
+    if (!NeedsARow(kernel)) continue;
+    needed.emplace(kernel.method.key, Name(kernel.scalar));
+  }
+  for (const auto& key : needed) {
+    EXPECT_EQ(rows.count(key), 1u) << key.first << " " << key.second;
+  }
+  for (const auto& [key, row] : rows) {
+    EXPECT_TRUE(needed.contains(key))
+        << key.first << " " << key.second << " is no method that needs a row";
+  }
+}
+
+template <class T>
+void CheckRow(const Row& row) {
+  std::array<T, 8> x{};
+  for (std::size_t k = 0; k < 8; ++k) {
+    const double value = std::stod(row[kFirstCoordinate + k]);
+    x[k] = static_cast<T>(value);
+    EXPECT_EQ(static_cast<double>(x[k]), value);
+    EXPECT_LE(std::abs(value), 1);
+    EXPECT_TRUE(value == 0 || std::abs(value) >= 0x1p-30) << value;
+  }
+  EXPECT_GE(std::max(std::abs(x[6]), std::abs(x[7])), 0.5);
+  const Triangle<T> triangle{{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}};
+  const Point<T> p{x[6], x[7]};
+  const Position truth = ClassifyExactly(triangle, p);
+  EXPECT_EQ(Name(truth), row[kTruth]);
+  EXPECT_NE(truth, Position::kBoundary);
+  const double distance = std::stod(row[kDistance]);
+  EXPECT_NEAR(BoundaryDistanceInUlps(triangle, p), distance, 1e-12 * distance);
+  ASSERT_TRUE(row[kSaid] == "inside" || row[kSaid] == "outside") << row[kSaid];
+  const bool said_inside = row[kSaid] == "inside";
+  EXPECT_NE(said_inside, truth == Position::kInside);
+  for (const Kernel* kernel : FloatInsideKernels()) {
+    if (kernel->method.key != row[0] || kernel->scalar != ScalarOf<T>()) {
+      continue;
+    }
+    EXPECT_EQ(AskAll<T>(*kernel, {triangle}, {p}).Inside(0, 0), said_inside)
+        << NameOf(*kernel);
+  }
+}
+
+TEST(WorstInputsTest, EveryKernelStillGivesTheAnswer) {
+  for (const auto& [key, row] : ReadRows()) {
+    SCOPED_TRACE(key.first + " " + key.second);
+    if (row[kSaid] == "none_found") {
+      for (std::size_t k = kFirstCoordinate; k < kFields; ++k) {
+        if (k != kSaid) {
+          EXPECT_EQ(row[k], "");
+        }
+      }
+    } else if (key.second == "f32") {
+      CheckRow<float>(row);
+    } else {
+      CheckRow<double>(row);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pitbench
