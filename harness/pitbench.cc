@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
   pitbench::AddAccuracy(app);
   pitbench::AddMaps(app);
   pitbench::AddHunt(app);
+  pitbench::AddVerify(app);
   pitbench::AddMachine(app);
   pitbench::AddShards(app);
   const std::string suggestion = Suggestion(app, argc, argv);

@@ -13,6 +13,7 @@ void AddSpeed(CLI::App& app);     // speed
 void AddAccuracy(CLI::App& app);  // accuracy
 void AddMaps(CLI::App& app);      // maps
 void AddHunt(CLI::App& app);      // hunt
+void AddVerify(CLI::App& app);    // verify
 void AddMachine(CLI::App& app);   // machine
 void AddShards(CLI::App& app);    // shards
 

@@ -5,6 +5,7 @@
 #include "harness/command/arguments.h"
 #include "harness/command/commands.h"
 #include "harness/command/output.h"
+#include "harness/measure/two_truths.h"
 
 namespace pitbench {
 
@@ -22,6 +23,7 @@ void AddMaps(CLI::App& app) {
     const std::size_t count =
         file["ulp_maps"].size() + file["gradients"].size();
     if (count == 0) NoCells(*a);
+    file["two_truths"] = TwoTruths();
     file["context"] = Context("pitbench-maps-1", *a);
     out.Commit(file.dump() + "\n");
     std::cerr << a->out << ": " << count << " maps\n";
