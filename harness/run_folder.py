@@ -15,11 +15,19 @@ from typing import Any
 from locks import Refusal
 
 
+KINDS = ("speed", "accuracy", "maps")
+
+
 @dataclass(frozen=True)
 class Shard:
     name: str
-    kind: str  # "speed" or "accuracy"
+    kind: str  # one of KINDS, and the command that runs it
     arguments: tuple[str, ...]
+
+    @property
+    def alone(self) -> bool:
+        """Whether no other shard may run beside it: it measures time."""
+        return self.kind == "speed"
 
 
 def ask(pitbench: str, *arguments: str) -> str:
@@ -47,7 +55,7 @@ def list_shards(pitbench: str, profile: str) -> list[Shard]:
         fields = line.split("\t")
         if (
             len(fields) != 3
-            or fields[1] not in ("speed", "accuracy")
+            or fields[1] not in KINDS
             or not re.fullmatch(r"[\w.=:+-]+", fields[0])
         ):
             raise Refusal(f"pitbench shards printed a line not understood: {line!r}")
@@ -82,7 +90,7 @@ def began_with(out: Path) -> tuple[dict[str, Any], dict[str, Any]] | None:
     """machine.json and sweep.json of a folder that was begun, else None."""
     files = [out / "machine.json", out / "sweep.json"]
     if not all(file.exists() for file in files):
-        if any(out.glob("speed-*.json")) or any(out.glob("accuracy-*.json")):
+        if any(any(out.glob(f"{kind}*.json")) for kind in KINDS):
             raise Refusal(
                 f"{out} holds results but not both of machine.json and sweep.json, "
                 "so where they come from is unknown: give another folder"
