@@ -77,10 +77,10 @@ def open_timing_lock(path: str) -> int:
 
 
 @contextlib.contextmanager
-def timing_lock(kind: str, say: Callable[[str], None]) -> Iterator[int]:
-    """Holds the machine-wide lock: alone for speed, else shared."""
+def timing_lock(alone: bool, say: Callable[[str], None]) -> Iterator[int]:
+    """Holds the machine-wide lock: alone (to measure time), or shared."""
     path = os.environ.get("PITBENCH_TIMING_LOCK", TIMING_LOCK)
-    operation = fcntl.LOCK_EX if kind == "speed" else fcntl.LOCK_SH
+    operation = fcntl.LOCK_EX if alone else fcntl.LOCK_SH
     descriptor = open_timing_lock(path)
     try:
         if not try_lock(descriptor, operation):

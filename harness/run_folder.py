@@ -15,15 +15,19 @@ from typing import Any
 from locks import Refusal
 
 
-# What a shard may measure, in the order in which a sweep does.
 KINDS = ("speed", "accuracy", "maps")
 
 
 @dataclass(frozen=True)
 class Shard:
     name: str
-    kind: str  # one of KINDS
+    kind: str  # one of KINDS, and the command that runs it
     arguments: tuple[str, ...]
+
+    @property
+    def alone(self) -> bool:
+        """Whether no other shard may run beside it: it measures time."""
+        return self.kind == "speed"
 
 
 def ask(pitbench: str, *arguments: str) -> str:

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 """Runs the shards of a profile into one folder; stopped, it goes on later.
 
-One process a shard. Speed shards come first and run alone; those of the other
-kinds then share the cores. What keeps a result true:
+One process a shard. Speed shards come first and run alone; the others, of
+accuracy and of maps, then share the cores. What keeps a result true:
 
 * A shard's file is written whole by pitbench and renamed, so a shard whose
   file is there is done, and one that was killed left no file.
 * One sweep at a time writes into a folder (a lock on `.lock`), and a timing
   shard never runs beside any shard of another sweep on the machine (a lock
-  in /tmp: exclusive for speed, else shared). Children hold the locks
+  in /tmp: exclusive for speed, shared for the others). Children hold the locks
   with their parent and die with it, so no orphan runs on unseen.
 * A folder belongs to one profile, one revision and one CPU model.
 
@@ -159,12 +159,13 @@ class Sweep:
                 self.say(f"  | {line}")
         child.output.close()
 
-    def run(self, kind: str, jobs: int, locks: list[int]) -> None:
-        """Runs the shards of a kind, at most `jobs` at once."""
-        mine = [shard for shard in self.todo if shard.kind == kind]
+    def run(self, alone: bool, jobs: int, locks: list[int]) -> None:
+        """Runs the shards that run alone (of speed), or the others, at most
+        `jobs` at once."""
+        mine = [shard for shard in self.todo if shard.alone == alone]
         if not mine:
             return
-        with timing_lock(kind, self.say) as machine_wide:
+        with timing_lock(alone, self.say) as machine_wide:
             while mine or self.children:
                 while mine and len(self.children) < jobs:
                     self.todo.remove(mine[0])
@@ -233,8 +234,8 @@ def sweep(options: argparse.Namespace, out: Path) -> int:
         try:
             if work.console.is_terminal:
                 stack.enter_context(work.bar)
-            for kind in KINDS:
-                work.run(kind, 1 if kind == "speed" else jobs, locks)
+            work.run(True, 1, locks)
+            work.run(False, jobs, locks)
         except BaseException:
             for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
                 signal.signal(number, signal.SIG_IGN)
@@ -274,7 +275,7 @@ def parse_arguments(arguments: list[str]) -> argparse.Namespace:
         "--jobs",
         type=int,
         metavar="N",
-        help="shards at once, but for speed (by default, one a core)",
+        help="shards of accuracy and maps at once (by default, one a core)",
     )
     options = parser.parse_args(arguments)
     if options.jobs is not None and options.jobs < 1:

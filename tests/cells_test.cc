@@ -14,11 +14,13 @@
 namespace pitbench {
 namespace {
 
-std::vector<std::string> CellNames(const std::vector<ProfileScene>& scenes) {
+std::vector<std::string> CellNames(const std::vector<ProfileScene>& scenes,
+                                   const std::string& filter = "") {
+  const std::regex wanted(filter);
   std::vector<std::string> names;
   for (const ProfileScene& scene : scenes) {
     for (const Loop loop : scene.loops) {
-      for (const Kernel* kernel : KernelsFor(scene, loop, std::regex(""))) {
+      for (const Kernel* kernel : KernelsFor(scene, loop, wanted)) {
         names.push_back(CellName(*kernel, scene.name));
       }
     }
@@ -50,7 +52,8 @@ TEST_P(ProfileTest, EveryCellBelongsToExactlyOneShard) {
       filters.emplace_back(shard.name, std::regex(shard.filter));
       cells_of.emplace(shard.name, 0);
     }
-    for (const std::string& name : CellNames(scenes)) {
+    // One ISA: no filter looks at it.
+    for (const std::string& name : CellNames(scenes, "/scalar$")) {
       std::size_t shards = 0;
       for (const auto& [shard, filter] : filters) {
         if (!std::regex_search(name, filter)) continue;
@@ -60,17 +63,44 @@ TEST_P(ProfileTest, EveryCellBelongsToExactlyOneShard) {
       ASSERT_EQ(shards, 1u) << kind << " " << name;
     }
   }
-  // And one shard of maps, which are no cells.
-  EXPECT_EQ(cells_of.size() + 1, Shards(profile_).size()) << "names repeat";
-  EXPECT_EQ(Shards(profile_).back().kind, "maps");
+  EXPECT_EQ(cells_of.size() + 1, Shards(profile_).size())
+      << "names repeat, or there is more than one shard without cells: maps";
   for (const auto& [shard, cells] : cells_of) EXPECT_GT(cells, 0u) << shard;
 }
 
-TEST_P(ProfileTest, EverySceneCanBeParsed) {
+TEST_P(ProfileTest, MapsAreOneShard) {
+  const std::vector<Shard> shards = Shards(profile_);
+  EXPECT_EQ(shards.back().name, "maps");
+  EXPECT_EQ(shards.back().kind, "maps");
+  EXPECT_TRUE(std::regex_search("any name", std::regex(shards.back().filter)));
+}
+
+TEST_P(ProfileTest, EverySceneOfAccuracyCanBeMade) {
+  for (const ProfileScene& scene : profile_.accuracy) {
+    for (const Loop loop : scene.loops) {
+      const SceneSpec spec = ParseScene(scene.name);
+      const auto made = [&]<class T>(T) {
+        return MakeScene<T>(spec, loop, {2, 3}, kDefaultSeed).calls.size();
+      };
+      EXPECT_GT(scene.scalar == Scalar::kF32   ? made(float{})
+                : scene.scalar == Scalar::kF64 ? made(double{})
+                                               : made(std::int32_t{}),
+                0u)
+          << scene.name;
+    }
+  }
+}
+
+TEST_P(ProfileTest, EveryFamilyIsJudged) {
+  std::set<std::string> families;
   for (const auto& scenes : {profile_.speed, profile_.accuracy}) {
     for (const ProfileScene& scene : scenes) {
-      EXPECT_NO_THROW(ParseScene(scene.name)) << scene.name;
+      families.insert(ParseScene(scene.name).family);
     }
+  }
+  for (const FamilyInfo& family : Families()) {
+    EXPECT_EQ(families.contains(std::string(family.name)), family.name != "own")
+        << family.name;
   }
 }
 

@@ -45,7 +45,8 @@ readonly run=$work/results/tiny
 sweep=("$python" harness/sweep.py --pitbench "$pitbench" --profile tiny --out "$run")
 
 shard_files() {
-  find "$run" -maxdepth 1 \( -name 'speed-*.json' -o -name 'accuracy-*.json' -o -name maps.json \)
+  find "$run" -maxdepth 1 \( -name 'speed-*.json' -o -name 'accuracy-*.json' \
+    -o -name maps.json \)
 }
 
 # The commands of the shards that the sweep is running now.
@@ -188,6 +189,19 @@ agrees_with_real_world() {
   done
 }
 
+# Rounded to doubles, and as they were typed.
+knows_both_truths() {
+  local column cases=tests/cases/typed_decimals.csv
+  awk -F, -v OFS=, -v header="$header" 'NR == 1 { print header }
+    NR > 1 { print $4, $5, $6, $7, $8, $9, $10, $11 }' $cases >"$work/typed.csv"
+  for column in 12 13; do
+    # shellcheck disable=SC2046  # --decimal or nothing
+    "$pitbench" classify --method truth $( ((column == 13)) && echo --decimal) \
+      "$work/typed.csv" >"$work/answers" || return
+    diff "$work/answers" <(tail -n +2 $cases | cut -d, -f$column) || return
+  done
+}
+
 help_has_examples() {
   local command
   for command in '' classify speed accuracy maps hunt machine shards list; do
@@ -200,6 +214,7 @@ help_has_examples() {
 check 'classify reads a million lines' classifies_a_million_lines
 check 'classify reads stdin and hex floats' reads_stdin_and_hex
 check 'truth agrees with every real-world case' agrees_with_real_world
+check 'truth knows typed decimals from rounded ones' knows_both_truths
 check '--help works everywhere and gives examples' help_has_examples
 
 # --- The command line: bad input -----------------------------------------------
@@ -262,6 +277,8 @@ check 'a mistyped scalar is refused' refused 'f23&f32' \
   classify --method truth --scalar f23 "$bad/word.csv"
 check 'a mistyped ISA is refused' refused 'avx2' \
   classify --method edge_function --isa avx22 "$bad/word.csv"
+check '--decimal is for truth only' refused 'decimal&truth' \
+  classify --method edge_function --decimal "$bad/late.csv"
 check 'a mistyped command is refused' refused 'clasify' clasify
 check 'a mistyped profile is refused' refused 'quick' shards --profile quik
 check 'a broken filter is refused' refused 'filter' \

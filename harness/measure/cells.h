@@ -19,6 +19,7 @@ struct ProfileScene {
   std::vector<Loop> loops;
   Scalar scalar;
   bool weights;  // whether kernels that write weights meet it too
+  std::vector<std::string_view> methods = {};  // only these; all if empty
 };
 
 struct Profile {
@@ -42,8 +43,8 @@ Profile WithScenes(const Profile& profile,
 // A shard: the part of a profile that one process works off into one file.
 struct Shard {
   std::string name;    // e.g. "speed-one_triangle-f32"
-  std::string kind;    // "speed", "accuracy" or "maps"
-  std::string filter;  // a regular expression on the names of cells
+  std::string kind;    // the command: "speed", "accuracy" or "maps"
+  std::string filter;  // a regular expression on the names of cells, or of maps
 };
 std::vector<Shard> Shards(const Profile& profile);
 

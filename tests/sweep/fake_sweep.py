@@ -82,7 +82,8 @@ class FakeSweep:
             time.sleep(0.01)
 
     def results(self) -> list[str]:
-        return sorted(file.name for file in self.out.glob("*-*.json"))
+        files = {*self.out.glob("*-*.json"), *self.out.glob("maps.json")}
+        return sorted(file.name for file in files)
 
     def leftovers(self) -> list[str]:
         return sorted(file.name for file in self.out.glob("*.tmp*"))

@@ -83,9 +83,9 @@ def test_index_counts_as_shards_are_listed(fake: FakeSweep) -> None:
         assert fake.run("--index", str(index))[0] == 0
         assert fake.started()[-1] == name
     assert fake.results() == sorted(f"{name}.json" for name, _ in SHARDS)
-    for wrong in ("-1", "5"):
+    for wrong in ("-1", "6"):
         code, _, errors = fake.run("--index", wrong)
-        assert (code, "there are 5 shards" in errors) == (2, True)
+        assert (code, "there are 6 shards" in errors) == (2, True)
 
 
 def test_an_unknown_shard_is_refused(fake: FakeSweep) -> None:

@@ -30,7 +30,7 @@ def test_a_sweep_leaves_every_shard_and_what_the_report_needs(fake: FakeSweep) -
     assert json.loads((fake.out / "machine.json").read_text())["revision"]
     assert json.loads((fake.out / "methods.json").read_text()) == {"methods": []}
     assert json.loads((fake.out / "sweep.json").read_text())["profile"] == "tiny"
-    assert "5 shards run, 0 were there, 0 failed" in output
+    assert "6 shards run, 0 were there, 0 failed" in output
 
 
 def test_a_shard_gets_its_arguments(fake: FakeSweep) -> None:
@@ -40,9 +40,9 @@ def test_a_shard_gets_its_arguments(fake: FakeSweep) -> None:
     assert got == [*want, "--out", str(fake.out / "speed-b.json")]
 
 
-def test_speed_comes_first_and_both_kinds_in_the_listed_order(fake: FakeSweep) -> None:
+def test_speed_comes_first_and_every_kind_in_the_listed_order(fake: FakeSweep) -> None:
     fake.run("--jobs", "1")
-    want = ["speed-a", "speed-b", "accuracy-a", "accuracy-b", "accuracy-c"]
+    want = ["speed-a", "speed-b", "accuracy-a", "accuracy-b", "accuracy-c", "maps"]
     assert fake.started() == want
 
 
@@ -61,6 +61,13 @@ def test_accuracy_shards_share_the_cores(fake: FakeSweep) -> None:
     ran = intervals(fake)
     assert overlap(ran["accuracy-a"], ran["accuracy-b"])
     assert overlap(ran["accuracy-b"], ran["accuracy-c"])
+
+
+def test_maps_run_beside_accuracy_shards(fake: FakeSweep) -> None:
+    fake.plan["seconds"] = {"accuracy-c": 1.0, "maps": 0.5}
+    fake.run("--jobs", "4")
+    ran = intervals(fake)
+    assert overlap(ran["accuracy-c"], ran["maps"])
 
 
 def test_two_sweeps_never_run_beside_each_others_timings(fake: FakeSweep) -> None:
@@ -90,7 +97,7 @@ def test_a_finished_sweep_runs_nothing_again(fake: FakeSweep) -> None:
     code, output, _ = fake.run()
     assert code == 0
     assert fake.started() == before
-    assert "5 of 5 shards are there already" in output
+    assert "6 of 6 shards are there already" in output
 
 
 def test_killed_in_a_shard_the_next_start_completes(fake: FakeSweep) -> None:
@@ -109,7 +116,7 @@ def test_killed_in_a_shard_the_next_start_completes(fake: FakeSweep) -> None:
     assert fake.results() == ALL
     assert fake.leftovers() == []
     assert fake.started().count("speed-a") == 1
-    assert "1 of 5 shards are there already" in output
+    assert "1 of 6 shards are there already" in output
 
 
 def test_killed_alone_it_takes_its_shard_along(fake: FakeSweep) -> None:
@@ -161,12 +168,17 @@ def test_a_failing_shard_is_shown_and_the_others_go_on(fake: FakeSweep) -> None:
     fake.plan["fail"] = ["speed-a", "accuracy-b"]
     code, output, _ = fake.run()
     assert code == 1
-    assert fake.results() == ["accuracy-a.json", "accuracy-c.json", "speed-b.json"]
+    assert fake.results() == [
+        "accuracy-a.json",
+        "accuracy-c.json",
+        "maps.json",
+        "speed-b.json",
+    ]
     assert "FAILED speed-a: exit 1" in output
     assert "speed-a: the answers are wrong" in output
     assert "--filter '^speed-a/' --out" in output
     assert fake.leftovers() == []
-    assert "3 shards run, 0 were there, 2 failed" in output
+    assert "4 shards run, 0 were there, 2 failed" in output
 
     fake.plan["fail"] = []
     assert fake.run()[0] == 0
@@ -185,5 +197,5 @@ def test_an_empty_result_is_run_again(fake: FakeSweep) -> None:
 def test_terminal_free_output_is_plain_lines(fake: FakeSweep) -> None:
     _, output, _ = fake.run()
     assert "\x1b" not in output and "\n\n" not in output
-    assert "1/5 speed-a " in output
+    assert "1/6 speed-a " in output
     assert "s left" in output
