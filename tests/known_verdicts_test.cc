@@ -121,7 +121,7 @@ const std::vector<KnownFailure> kKnownFailures = {
       "cross_product_centered", "cross_product_centered_fma",
       "cross_product_centered_top_left", "cross_product_det",
       "cross_product_det_fma", "cross_product_kahan", "cross_solve",
-      "cross_solve_fma", "edge_function_top_left"}},
+      "cross_solve_fma", "double_double", "edge_function_top_left"}},
     {"jts_163", Scalar::kF64, Cause::kRounding, {"edge_function_top_left"}},
     {"geos_failure4",
      Scalar::kF64,

@@ -3,12 +3,14 @@
 //
 //   ex·(y − vy) − ey·(x − vx) ≥ 0 for each edge e from its vertex v
 //
-// Set-up and cost: as cross_product_det.
-// Boundary: closed. Winding: fixed by the set-up. Degenerate: not told from
-// others, for the compiler assumes that no NaN exists.
-// Fails: as cross_product_det_fma, and the contract does not hold. A comparison
-// with NaN may come out either way, so NaN may be inside and a degenerate
-// triangle may contain points.
+// Set-up and cost: as cross_product_det, less what the compiler saves by
+// contracting and by taking terms in another order.
+// Boundary: closed. Winding: fixed by the set-up. Degenerate: contains nothing,
+// if the compiler lets NaN through, which it need not.
+// Fails: as cross_product_det_fma, though the source has no multiply-add: its
+// own vertices and points of its edges are thrown out, and neighbours leave
+// holes. And nothing promises that NaN and infinity are outside: with this flag
+// the compiler may take it that there are none.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/cross_product_fast_math.cc"
@@ -49,8 +51,8 @@ constexpr Method kCrossProductFastMath{
         "v",
     .fma = true,
     .warning =
-        "-ffast-math: NaN may be inside and a degenerate triangle may contain "
-        "points",
+        "-ffast-math: contracted and reordered as the compiler likes; NaN and "
+        "infinity are not provided for",
 };
 
 }  // namespace PITBENCH_ISA

@@ -12,8 +12,9 @@
 // of two, of at most 25 bits. By Kahan's difference already where the
 // differences are exact: at most 52 bits, that is, exponents that spread over
 // at most 28 binades. f64 does not overflow or underflow on products of f32.
-// Fails: where the spread is larger. Plain, a point near an edge may look as if
-// it were on it, but never beyond; with FMA it may fall on the other side.
+// Fails: where the coordinates have more bits than that. While the differences
+// are exact, a point near an edge may look as if it were on it, but not beyond,
+// or with FMA on either side; where they round, anything.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/promoted_f64.cc"
