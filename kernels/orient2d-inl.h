@@ -22,20 +22,18 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
+// Shewchuk's error bounds: `a` of the determinant from rounded differences,
+// relative to |left| + |right|; `b` of the same with exact products; `c` with
+// the first order of what the differences lost; `estimate` of an expansion
+// added up.
 template <class T>
-inline constexpr T kU = std::numeric_limits<T>::epsilon() / 2;
-
-// Shewchuk's bounds: A of the determinant from rounded differences, relative
-// to |left| + |right|, B of the same with exact products, C with the first
-// order of what the differences lost, and of estimating an expansion.
-template <class T>
-inline constexpr T kBoundA = (3 + 16 * kU<T>)*kU<T>;
-template <class T>
-inline constexpr T kBoundB = (2 + 12 * kU<T>)*kU<T>;
-template <class T>
-inline constexpr T kBoundC = (9 + 64 * kU<T>)*kU<T>* kU<T>;
-template <class T>
-inline constexpr T kBoundOfEstimate = (3 + 8 * kU<T>)*kU<T>;
+struct Bound {
+  static constexpr T u = std::numeric_limits<T>::epsilon() / 2;
+  static constexpr T a = (3 + 16 * u) * u;
+  static constexpr T b = (2 + 12 * u) * u;
+  static constexpr T c = (9 + 64 * u) * u * u;
+  static constexpr T estimate = (3 + 8 * u) * u;
+};
 
 // high + low is exact, and high is the rounded result.
 template <class T>
@@ -118,7 +116,7 @@ static HWY_NOINLINE T Orient2d(T ax, T ay, T bx, T by, T px, T py) {
   const T right = v.high * w.high;
   const T sum = std::abs(left) + std::abs(right);
   T det = left - right;
-  if (std::abs(det) >= kBoundA<T> * sum) return det;
+  if (std::abs(det) >= Bound<T>::a * sum) return det;
 
   Expansion<T> exact;
   exact.AddProduct(u.high, z.high);
@@ -127,9 +125,9 @@ static HWY_NOINLINE T Orient2d(T ax, T ay, T bx, T by, T px, T py) {
     return exact.Largest();
   }
   det = exact.Estimate();
-  if (std::abs(det) >= kBoundB<T> * sum) return det;
+  if (std::abs(det) >= Bound<T>::b * sum) return det;
 
-  const T bound = kBoundC<T> * sum + kBoundOfEstimate<T> * std::abs(det);
+  const T bound = Bound<T>::c * sum + Bound<T>::estimate * std::abs(det);
   det += (u.high * z.low + z.high * u.low) - (v.high * w.low + w.high * v.low);
   if (std::abs(det) >= bound) return det;
 

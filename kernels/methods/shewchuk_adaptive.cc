@@ -32,7 +32,7 @@ HWY_INLINE Vec<D> Filtered(D d, Vec<D> ux, Vec<D> uy, Vec<D> vx, Vec<D> vy,
                            Vec<D>& bound) {
   const auto left = Mul(ux, vy);
   const auto right = Mul(uy, vx);
-  bound = Mul(Set(d, kBoundA<TFromD<D>>), Add(Abs(left), Abs(right)));
+  bound = Mul(Set(d, Bound<TFromD<D>>::a), Add(Abs(left), Abs(right)));
   return Sub(left, right);
 }
 
