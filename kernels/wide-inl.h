@@ -26,6 +26,14 @@ struct WideOf<E, true> {
 template <class E>
 using Wide = typename WideOf<E>::Tag;
 
+template <class W>
+HWY_INLINE Vec<W> PromotedNumber(W w, const Held<OneLane<float>>& held) {
+  const float number = hn::GetLane(held.In(OneLane<float>()));
+  return Set(w, static_cast<double>(number));
+}
+
+// Each of these promotes its half of a vector, or of what a set-up has kept: a
+// kept number is promoted before it is broadcast, once for both halves.
 template <class E>
 struct LowerHalfOf {
   HWY_INLINE Vec<Wide<E>> operator()(Vec<E> v) const {
@@ -36,6 +44,14 @@ struct LowerHalfOf {
       return hn::PromoteTo(Wide<E>(), hn::LowerHalf(narrow, v));
     }
   }
+  template <class D>
+  HWY_INLINE Vec<Wide<E>> operator()(const Held<D>& held) const {
+    if constexpr (std::is_same_v<D, OneLane<float>>) {
+      return PromotedNumber(Wide<E>(), held);
+    } else {
+      return (*this)(held.In(E()));
+    }
+  }
 };
 #if HWY_TARGET != HWY_SCALAR
 template <class E>
@@ -43,6 +59,14 @@ struct UpperHalfOf {
   HWY_INLINE Vec<Wide<E>> operator()(Vec<E> v) const {
     const typename WideOf<E>::Narrow narrow;
     return hn::PromoteTo(Wide<E>(), hn::UpperHalf(narrow, v));
+  }
+  template <class D>
+  HWY_INLINE Vec<Wide<E>> operator()(const Held<D>& held) const {
+    if constexpr (std::is_same_v<D, OneLane<float>>) {
+      return PromotedNumber(Wide<E>(), held);
+    } else {
+      return (*this)(held.In(E()));
+    }
   }
 };
 

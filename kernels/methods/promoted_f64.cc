@@ -58,21 +58,15 @@ class PromotedF64 {
   template <class E>
   HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
     const auto& v = vertices_;
-    const auto ax = v.ax.In(e);
-    const auto ay = v.ay.In(e);
-    const auto bx = v.bx.In(e);
-    const auto by = v.by.In(e);
-    const auto cx = v.cx.In(e);
-    const auto cy = v.cy.In(e);
     return InHalves(e, [&](auto half) HWY_ATTR {
       const auto px = half(x);
       const auto py = half(y);
-      const auto xa = Sub(half(ax), px);
-      const auto ya = Sub(half(ay), py);
-      const auto xb = Sub(half(bx), px);
-      const auto yb = Sub(half(by), py);
-      const auto xc = Sub(half(cx), px);
-      const auto yc = Sub(half(cy), py);
+      const auto xa = Sub(half(v.ax), px);
+      const auto ya = Sub(half(v.ay), py);
+      const auto xb = Sub(half(v.bx), px);
+      const auto yb = Sub(half(v.by), py);
+      const auto xc = Sub(half(v.cx), px);
+      const auto yc = Sub(half(v.cy), py);
       const Cross cross;
       return AllNonNegative(Wide<E>(), cross(xb, yc, xc, yb),
                             cross(xc, ya, xa, yc), cross(xa, yb, xb, ya));
