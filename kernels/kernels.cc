@@ -11,6 +11,7 @@ namespace pitbench {
 // What the method files export, ISA by ISA.
 #define PITBENCH_METHOD(key) std::span<const Kernel> key();
 #define PITBENCH_METHOD_AUTOVEC(key) PITBENCH_METHOD(key)
+#define PITBENCH_METHOD_FAST_MATH(key)
 namespace scalar {
 #include "kernels/methods.inc"
 }
@@ -47,14 +48,19 @@ namespace autovec_v2 {
 #include "kernels/methods.inc"
 }  // namespace autovec_v2
 namespace autovec_v3 {
+#undef PITBENCH_METHOD_FAST_MATH
+#define PITBENCH_METHOD_FAST_MATH(key) std::span<const Kernel> key();
 #include "kernels/methods.inc"
-}
+#undef PITBENCH_METHOD_FAST_MATH
+#define PITBENCH_METHOD_FAST_MATH(key)
+}  // namespace autovec_v3
 namespace autovec_v4 {
 #include "kernels/methods.inc"
 }
 #undef PITBENCH_METHOD
 #endif
 #undef PITBENCH_METHOD_AUTOVEC
+#undef PITBENCH_METHOD_FAST_MATH
 
 namespace {
 
@@ -73,6 +79,7 @@ std::vector<Kernel> JoinKernels() {
   add(autovec_v3::key());            \
   add(autovec_v4::key());            \
   PITBENCH_X86_SIMD(key)
+#define PITBENCH_METHOD_FAST_MATH(key) add(autovec_v3::key());
 #define PITBENCH_X86_SIMD(key) \
   add(ssse3::key());           \
   add(sse4::key());            \
@@ -85,6 +92,7 @@ std::vector<Kernel> JoinKernels() {
   add(sve::key());           \
   add(sve2::key());
 #define PITBENCH_METHOD_AUTOVEC(key) PITBENCH_METHOD(key)
+#define PITBENCH_METHOD_FAST_MATH(key)
 #endif
 #include "kernels/methods.inc"
   return all;

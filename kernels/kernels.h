@@ -67,6 +67,12 @@ struct Method {
   Boundary boundary = Boundary::kClosed;
   Accepts accepts = Accepts::kTriangle;
   bool fma = false;  // multiply-adds are contracted
+  // Accepts points outside as well, while no cross product of an edge with the
+  // way from it to the point is further below 0 than this.
+  double tolerance = 0;
+  // What is wrong with the method, where it is kept as a warning and may break
+  // the contract; empty for all others.
+  std::string_view warning = "";
 };
 
 // The arrays that a kernel reads. Each loop reads as many elements of each as

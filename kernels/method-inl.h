@@ -49,6 +49,7 @@ using hn::Mask;
 using hn::Mul;
 using hn::MulAdd;
 using hn::MulSub;
+using hn::NegMulAdd;
 using hn::Or;
 using hn::Set;
 using hn::Sub;
@@ -129,7 +130,37 @@ class Held {
 #endif
 };
 
-// Twice the signed area of ABC, from vertex A.
+// a·b + c·d and a·b − c·d. With kFma the first product is not rounded: what a
+// compiler makes of them that may contract.
+template <bool kFma, class V>
+HWY_INLINE V SumOfProducts(V a, V b, V c, V d) {
+  if constexpr (kFma) {
+    return MulAdd(a, b, Mul(c, d));
+  } else {
+    return Add(Mul(a, b), Mul(c, d));
+  }
+}
+template <bool kFma, class V>
+HWY_INLINE V DifferenceOfProducts(V a, V b, V c, V d) {
+  if constexpr (kFma) {
+    return MulSub(a, b, Mul(c, d));
+  } else {
+    return Sub(Mul(a, b), Mul(c, d));
+  }
+}
+
+// a·b − c·d within 1.5 ulp by Kahan's algorithm: what it gets has the sign of
+// the exact value unless c·d or its rounding error underflows.
+template <class V>
+HWY_INLINE V KahanDifference(V a, V b, V c, V d) {
+  const V cd = Mul(c, d);
+  return Add(MulSub(a, b, cd), NegMulAdd(c, d, cd));
+}
+
+// Twice the signed area of ABC, from vertex A. Not for a method that contracts
+// to decide by whether the triangle is degenerate: with two equal vertices it
+// is the cross product of a vector with itself, which contraction makes other
+// than 0.
 template <class D>
 HWY_INLINE Vec<D> DoubleArea(const Triangles<D>& t) {
   const auto ax = t.Ax();
@@ -138,16 +169,21 @@ HWY_INLINE Vec<D> DoubleArea(const Triangles<D>& t) {
              Mul(Sub(t.By(), ay), Sub(t.Cx(), ax)));
 }
 
-// `value` where `area` is neither 0 nor infinite nor NaN; NaN elsewhere. An
-// infinite or NaN coordinate always makes DoubleArea infinite or NaN, so a
-// method whose kept values all carry this factor contains nothing then.
+// Where `area` is neither 0 nor infinite nor NaN. An infinite or NaN coordinate
+// always makes DoubleArea infinite or NaN, so a method whose kept values are
+// all NaN elsewhere contains nothing then.
+template <class D>
+HWY_INLINE Mask<D> IsValidArea(D d, Vec<D> area) {
+  const auto size = Abs(area);
+  return And(Gt(size, Zero(d)),
+             Lt(size, Set(d, std::numeric_limits<TFromD<D>>::infinity())));
+}
+
+// `value` where the area is valid, NaN elsewhere.
 template <class D>
 HWY_INLINE Vec<D> ValidOrNaN(D d, Vec<D> area, Vec<D> value) {
-  using T = TFromD<D>;
-  const auto size = Abs(area);
-  const auto valid = And(Gt(size, Zero(d)),
-                         Lt(size, Set(d, std::numeric_limits<T>::infinity())));
-  return IfThenElse(valid, value, Set(d, std::numeric_limits<T>::quiet_NaN()));
+  return IfThenElse(IsValidArea(d, area), value,
+                    Set(d, std::numeric_limits<TFromD<D>>::quiet_NaN()));
 }
 
 // +1 for a counter-clockwise triangle, −1 for a clockwise one, NaN for one
@@ -208,6 +244,12 @@ HWY_INLINE Mask<D> AllNonNegative(D d, Vec<D> u, Vec<D> v, Vec<D> w) {
     const auto zero = Zero(d);
     return AndGe(AndGe(Ge(u, zero), v, zero), w, zero);
   }
+}
+
+// Whether u ≥ least_u, v ≥ least_v and w ≥ least_w; false where any is NaN.
+template <class V>
+HWY_INLINE auto AllAtLeast(V u, V least_u, V v, V least_v, V w, V least_w) {
+  return AndGe(AndGe(Ge(u, least_u), v, least_v), w, least_w);
 }
 
 // Whether both coordinates are neither infinite nor NaN.

@@ -2,6 +2,9 @@
 //
 // A method file ends with PITBENCH_KERNELS(key, rows), where rows is a sum of
 //   FloatRows<M>(method)   f32 and f64, every loop, weights where M has them
+//   FmaRows<M>(method)     the same where the ISA has multiply-add
+//   F32Rows<M>(method)     f32, every loop
+//   F32FmaRows<M>(method)  the same where the ISA has multiply-add
 //   GridRows<M>(method)    i32 in loop grid
 #if defined(PITBENCH_KERNELS_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PITBENCH_KERNELS_ROWS_INL_H_
@@ -90,6 +93,22 @@ template <template <class> class M>
 constexpr auto FmaRows(const Method& method) {
 #if HWY_NATIVE_FMA
   return FloatRows<M>(method);
+#else
+  (void)method;
+  return Rows<0>{};
+#endif
+}
+
+// Of a method that has no sense for f64, since it computes in f64 itself.
+template <template <class> class M>
+constexpr auto F32Rows(const Method& method) {
+  return LoopRows<M, float, Output::kInside>(method);
+}
+
+template <template <class> class M>
+constexpr auto F32FmaRows(const Method& method) {
+#if HWY_NATIVE_FMA
+  return F32Rows<M>(method);
 #else
   (void)method;
   return Rows<0>{};

@@ -161,6 +161,25 @@ TEST(RefusalTest, DeclaredThirdIsTimed) {
   EXPECT_NE(Refusal(too_much, scene, truth), std::nullopt);
 }
 
+// The point is outside by 1/64 of a triangle of size 2^-8: in f32 the cross
+// product is above -1e-6.
+TEST(RefusalTest, DeclaredToleranceIsTimed) {
+  Scene<float> scene{.name = "", .loop = Loop::kOneTriangle};
+  scene.Add(Triangle<float>{{0, 0}, {0x1p-8f, 0}, {0, 0x1p-8f}});
+  scene.Add(Point<float>{0x1p-9f, -0x1p-14f});
+  scene.calls.push_back({0, 0, 1});
+  const SceneTruth truth = JudgeScene(scene);
+  const Kernel& epsilon = OneTriangleKernel("epsilon", Output::kInside);
+  EXPECT_EQ(Ask(epsilon, scene, truth).wrong.size(), 1u);
+  EXPECT_EQ(Refusal(epsilon, scene, truth), std::nullopt);
+  Kernel undeclared = epsilon;
+  undeclared.method.tolerance = 0;
+  EXPECT_NE(Refusal(undeclared, scene, truth), std::nullopt);
+  Kernel too_little = epsilon;
+  too_little.method.tolerance = 1e-8;
+  EXPECT_NE(Refusal(too_little, scene, truth), std::nullopt);
+}
+
 // What is timed by default is not refused, for any kernel that runs here.
 TEST(RefusalTest, NoKernelIsRefusedOnItsUniformScene) {
   for (const Loop loop : {Loop::kOneTriangle, Loop::kOnePoint, Loop::kPairs}) {

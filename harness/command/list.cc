@@ -35,6 +35,7 @@ json Listing() {
                          {"boundary", Name(method.boundary)},
                          {"accepts", Name(method.accepts)},
                          {"fma", method.fma},
+                         {"warning", method.warning},
                          {"weights", false}});
       known = methods.end() - 1;
     }
@@ -77,6 +78,7 @@ void PrintListing(const json& listing) {
     if (method["fma"]) more += ", with FMA";
     if (method["weights"]) more += ", weights";
     row("", "[" + text(method["source"]) + "; " + more + "]");
+    if (method["warning"] != "") row("", "warning: " + text(method["warning"]));
   }
   std::puts("ISAs");
   for (const json& isa : listing["isas"]) {

@@ -20,6 +20,18 @@ double BeyondThirdNearA(const Triangle<T>& t, const Point<T>& p) {
   return beyond.get_d();
 }
 
+// How far the smallest of the three cross products of an edge and the way from
+// it to the point is below 0.
+template <class T>
+double BelowZero(const Triangle<T>& t, const Point<T>& p) {
+  const std::array<mpq_class, 3> w = ExactWeights(t, p);
+  const double least = std::min({w[0], w[1], w[2]}).get_d();
+  const auto wide = [](T x) { return static_cast<double>(x); };
+  return -least *
+         std::abs((wide(t.b.x) - wide(t.a.x)) * (wide(t.c.y) - wide(t.a.y)) -
+                  (wide(t.b.y) - wide(t.a.y)) * (wide(t.c.x) - wide(t.a.x)));
+}
+
 template <class T>
 std::string Describe(const Scene<T>& scene, const Wrong& wrong) {
   const Call& call = scene.calls[wrong.call];
@@ -48,6 +60,12 @@ bool Declared(const Kernel& kernel, const Scene<T>& scene, const Wrong& wrong) {
   if (!IsFinite(t, p)) return false;
   if (kernel.method.accepts == Accepts::kThirdNearVertexA &&
       !wrong.said_inside && BeyondThirdNearA(t, p) > 0) {
+    return true;
+  }
+  // Twice: the kernel's cross product rounds as well.
+  if (kernel.method.tolerance > 0 && wrong.said_inside &&
+      Classify(t, p) == Position::kOutside &&
+      BelowZero(t, p) <= 2 * kernel.method.tolerance) {
     return true;
   }
   return RoundingMayDecide(t, p, kSlack);

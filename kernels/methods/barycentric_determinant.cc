@@ -5,7 +5,8 @@
 //   inside iff U ≥ 0, V ≥ 0 and U + V < Area (closed form: ≤)
 //
 // Set-up: 2 edges, 2 multiplications. Per point: 4 subtractions, 4
-// multiplications, 1 addition, 3 compares.
+// multiplications, 1 addition, 3 compares; with FMA 2 subtractions, 2
+// multiplications, 2 multiply-subtracts, 1 addition.
 // Boundary: half-open, BC is dropped, as in qTriangle's program; the closed
 // form keeps it. Winding: fixed by the set-up. Degenerate: contains nothing.
 // Fails: as cross_product_det; on BC with the rounding of three terms instead
@@ -21,7 +22,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-template <class D, Boundary kBoundary>
+template <class D, Boundary kBoundary, bool kFma>
 class BarycentricDeterminant {
  public:
   HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t)
@@ -49,7 +50,7 @@ class BarycentricDeterminant {
 
  private:
   HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> area)
-      : BarycentricDeterminant(d, t, Winding(d, area), Abs(area)) {}
+      : BarycentricDeterminant(d, t, Winding(d, area), Abs(Area(t, area))) {}
 
   HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> winding,
                                     Vec<D> size)
@@ -62,16 +63,28 @@ class BarycentricDeterminant {
         area_(d, size),
         inverse_area_(d, Div(Set(d, TFromD<D>{1}), size)) {}
 
+  // As the method compares with it: contracted, unlike `area`, which tells
+  // whether the triangle is degenerate.
+  static HWY_INLINE Vec<D> Area(const Triangles<D>& t, Vec<D> area) {
+    if constexpr (kFma) {
+      return MulSub(Sub(t.Bx(), t.Ax()), Sub(t.Cy(), t.Ay()),
+                    Mul(Sub(t.By(), t.Ay()), Sub(t.Cx(), t.Ax())));
+    } else {
+      (void)t;
+      return area;
+    }
+  }
+
   template <class E>
   HWY_INLINE Vec<E> U(E e, Vec<E> x, Vec<E> y) const {
-    return Sub(Mul(Sub(x, ax_.In(e)), cy_.In(e)),
-               Mul(Sub(y, ay_.In(e)), cx_.In(e)));
+    return DifferenceOfProducts<kFma>(Sub(x, ax_.In(e)), cy_.In(e),
+                                      Sub(y, ay_.In(e)), cx_.In(e));
   }
 
   template <class E>
   HWY_INLINE Vec<E> V(E e, Vec<E> x, Vec<E> y) const {
-    return Sub(Mul(bx_.In(e), Sub(y, ay_.In(e))),
-               Mul(by_.In(e), Sub(x, ax_.In(e))));
+    return DifferenceOfProducts<kFma>(bx_.In(e), Sub(y, ay_.In(e)), by_.In(e),
+                                      Sub(x, ax_.In(e)));
   }
 
   Held<D> ax_, ay_;
@@ -80,29 +93,45 @@ class BarycentricDeterminant {
 };
 
 template <class D>
-using BarycentricDeterminantHalfOpen =
-    BarycentricDeterminant<D, Boundary::kHalfOpen>;
+using HalfOpen = BarycentricDeterminant<D, Boundary::kHalfOpen, false>;
 template <class D>
-using BarycentricDeterminantClosed =
-    BarycentricDeterminant<D, Boundary::kClosed>;
+using HalfOpenFma = BarycentricDeterminant<D, Boundary::kHalfOpen, true>;
+template <class D>
+using Closed = BarycentricDeterminant<D, Boundary::kClosed, false>;
+template <class D>
+using ClosedFma = BarycentricDeterminant<D, Boundary::kClosed, true>;
 
-constexpr Method kBarycentricDeterminant{
+constexpr Method kHalfOpen{
     .key = "barycentric_determinant",
     .source = "qTriangle's program",
     .formula = "U ≥ 0, V ≥ 0, U + V < Area, by cross products from vertex A",
     .boundary = Boundary::kHalfOpen,
 };
-constexpr Method kBarycentricDeterminantClosed{
+constexpr Method kHalfOpenFma{
+    .key = "barycentric_determinant_fma",
+    .source = kHalfOpen.source,
+    .formula = kHalfOpen.formula,
+    .boundary = kHalfOpen.boundary,
+    .fma = true,
+};
+constexpr Method kClosed{
     .key = "barycentric_determinant_closed",
     .source = "qTriangle's program, with ≤",
     .formula = "U ≥ 0, V ≥ 0, U + V ≤ Area, by cross products from vertex A",
+};
+constexpr Method kClosedFma{
+    .key = "barycentric_determinant_closed_fma",
+    .source = kClosed.source,
+    .formula = kClosed.formula,
+    .fma = true,
 };
 
 }  // namespace PITBENCH_ISA
 }  // namespace pitbench
 HWY_AFTER_NAMESPACE();
 
-PITBENCH_KERNELS(
-    barycentric_determinant,
-    FloatRows<BarycentricDeterminantHalfOpen>(kBarycentricDeterminant) +
-        FloatRows<BarycentricDeterminantClosed>(kBarycentricDeterminantClosed));
+PITBENCH_KERNELS(barycentric_determinant,
+                 FloatRows<HalfOpen>(kHalfOpen) +
+                     FmaRows<HalfOpenFma>(kHalfOpenFma) +
+                     FloatRows<Closed>(kClosed) +
+                     FmaRows<ClosedFma>(kClosedFma));

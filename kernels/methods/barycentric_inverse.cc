@@ -4,10 +4,11 @@
 //   (w_a, w_b, w_c) = [A B C; 1 1 1]⁻¹ · (x, y, 1),   inside iff every w ≥ 0
 //
 // Set-up: a matrix inverse by Eigen (cofactors over the determinant), triangle
-// by triangle also where a vector of them is asked for; the contract's check
-// for a degenerate triangle, whose determinant may round to more than 0. Per
-// point: 6 multiplications, 6 additions, 3 compares: the third column is
-// times 1.
+// by triangle also where a vector of them is asked for (with FMA the same
+// cofactors, written out for all lanes at once); the contract's check for a
+// degenerate triangle, whose determinant may round to more than 0. Per point: 6
+// multiplications, 6 additions, 3 compares: the third column is times 1; with
+// FMA 3 multiplications, 3 multiply-adds, 3 additions.
 // Boundary: closed. Winding: any. Degenerate: contains nothing.
 // Fails: the determinant is formed from the coordinates themselves, not from
 // their differences, so it loses everything far from the origin: f32
@@ -26,7 +27,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-template <class D>
+template <class D, bool kFma>
 class BarycentricInverse {
   using T = TFromD<D>;
   // Nine coefficients, each a vector of lanes; row-major in the inverse.
@@ -36,7 +37,8 @@ class BarycentricInverse {
 
  public:
   HWY_INLINE BarycentricInverse(D d, const Triangles<D>& t)
-      : BarycentricInverse(d, Invert(d, t), DoubleArea(t)) {}
+      : BarycentricInverse(d, kFma ? InvertByFma(d, t) : Invert(d, t),
+                           DoubleArea(t)) {}
 
   template <class E>
   HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
@@ -50,9 +52,9 @@ class BarycentricInverse {
   template <class E>
   HWY_INLINE void Weights(E e, Vec<E> x, Vec<E> y, Vec<E>& wa, Vec<E>& wb,
                           Vec<E>& wc) const {
-    wa = Add(Add(Mul(ax_.In(e), x), Mul(ay_.In(e), y)), a1_.In(e));
-    wb = Add(Add(Mul(bx_.In(e), x), Mul(by_.In(e), y)), b1_.In(e));
-    wc = Add(Add(Mul(cx_.In(e), x), Mul(cy_.In(e), y)), c1_.In(e));
+    wa = Add(SumOfProducts<kFma>(ax_.In(e), x, ay_.In(e), y), a1_.In(e));
+    wb = Add(SumOfProducts<kFma>(bx_.In(e), x, by_.In(e), y), b1_.In(e));
+    wc = Add(SumOfProducts<kFma>(cx_.In(e), x, cy_.In(e), y), c1_.In(e));
   }
 
  private:
@@ -89,15 +91,52 @@ class BarycentricInverse {
     return inverse;
   }
 
+  // What Eigen computes, contracted as a compiler would.
+  static HWY_INLINE Inverse InvertByFma(D d, const Triangles<D>& t) {
+    const auto ax = t.Ax();
+    const auto ay = t.Ay();
+    const auto bx = t.Bx();
+    const auto by = t.By();
+    const auto cx = t.Cx();
+    const auto cy = t.Cy();
+    const auto a1 = MulSub(bx, cy, Mul(cx, by));
+    const auto determinant =
+        MulAdd(Sub(by, cy), ax, MulAdd(Sub(cx, bx), ay, a1));
+    const auto scale =
+        ValidOrNaN(d, determinant, Div(Set(d, T{1}), determinant));
+    Inverse inverse;
+    hn::Store(Mul(Sub(by, cy), scale), d, inverse.at[0]);
+    hn::Store(Mul(Sub(cx, bx), scale), d, inverse.at[1]);
+    hn::Store(Mul(a1, scale), d, inverse.at[2]);
+    hn::Store(Mul(Sub(cy, ay), scale), d, inverse.at[3]);
+    hn::Store(Mul(Sub(ax, cx), scale), d, inverse.at[4]);
+    hn::Store(Mul(MulSub(cx, ay, Mul(ax, cy)), scale), d, inverse.at[5]);
+    hn::Store(Mul(Sub(ay, by), scale), d, inverse.at[6]);
+    hn::Store(Mul(Sub(bx, ax), scale), d, inverse.at[7]);
+    hn::Store(Mul(MulSub(ax, by, Mul(bx, ay)), scale), d, inverse.at[8]);
+    return inverse;
+  }
+
   Held<D> ax_, ay_, a1_;
   Held<D> bx_, by_, b1_;
   Held<D> cx_, cy_, c1_;
 };
 
+template <class D>
+using BarycentricInversePlain = BarycentricInverse<D, false>;
+template <class D>
+using BarycentricInverseFma = BarycentricInverse<D, true>;
+
 constexpr Method kBarycentricInverse{
     .key = "barycentric_inverse",
     .source = "qTriangle, 2018 and 2019 texts",
     .formula = "[A B C; 1 1 1]⁻¹ · (x, y, 1) ≥ 0",
+};
+constexpr Method kBarycentricInverseFma{
+    .key = "barycentric_inverse_fma",
+    .source = kBarycentricInverse.source,
+    .formula = kBarycentricInverse.formula,
+    .fma = true,
 };
 
 }  // namespace PITBENCH_ISA
@@ -105,4 +144,5 @@ constexpr Method kBarycentricInverse{
 HWY_AFTER_NAMESPACE();
 
 PITBENCH_KERNELS(barycentric_inverse,
-                 FloatRows<BarycentricInverse>(kBarycentricInverse));
+                 FloatRows<BarycentricInversePlain>(kBarycentricInverse) +
+                     FmaRows<BarycentricInverseFma>(kBarycentricInverseFma));

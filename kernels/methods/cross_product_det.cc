@@ -15,6 +15,7 @@
 #include <hwy/foreach_target.h>
 
 #include "kernels/rows-inl.h"
+#include "kernels/triangle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pitbench {
@@ -23,44 +24,17 @@ namespace PITBENCH_ISA {
 template <class D, bool kFma>
 class CrossProductDet {
  public:
-  HWY_INLINE CrossProductDet(D d, const Triangles<D>& t)
-      : CrossProductDet(d, t, Winding(d, DoubleArea(t))) {}
+  HWY_INLINE CrossProductDet(D d, const Triangles<D>& t) : edges_(d, t) {}
 
   template <class E>
   HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
-    return AllNonNegative(
-        e, Cross(ex0_.In(e), ey0_.In(e), Sub(x, ax_.In(e)), Sub(y, ay_.In(e))),
-        Cross(ex1_.In(e), ey1_.In(e), Sub(x, bx_.In(e)), Sub(y, by_.In(e))),
-        Cross(ex2_.In(e), ey2_.In(e), Sub(x, cx_.In(e)), Sub(y, cy_.In(e))));
+    return AllNonNegative(e, EdgeCross<kFma>(edges_.ab, e, x, y),
+                          EdgeCross<kFma>(edges_.bc, e, x, y),
+                          EdgeCross<kFma>(edges_.ca, e, x, y));
   }
 
  private:
-  HWY_INLINE CrossProductDet(D d, const Triangles<D>& t, Vec<D> winding)
-      : ax_(d, t.Ax()),
-        ay_(d, t.Ay()),
-        bx_(d, t.Bx()),
-        by_(d, t.By()),
-        cx_(d, t.Cx()),
-        cy_(d, t.Cy()),
-        ex0_(d, Mul(Sub(t.Bx(), t.Ax()), winding)),
-        ey0_(d, Mul(Sub(t.By(), t.Ay()), winding)),
-        ex1_(d, Mul(Sub(t.Cx(), t.Bx()), winding)),
-        ey1_(d, Mul(Sub(t.Cy(), t.By()), winding)),
-        ex2_(d, Mul(Sub(t.Ax(), t.Cx()), winding)),
-        ey2_(d, Mul(Sub(t.Ay(), t.Cy()), winding)) {}
-
-  // ex·dy − ey·dx
-  template <class V>
-  static HWY_INLINE V Cross(V ex, V ey, V dx, V dy) {
-    if constexpr (kFma) {
-      return MulSub(ex, dy, Mul(ey, dx));
-    } else {
-      return Sub(Mul(ex, dy), Mul(ey, dx));
-    }
-  }
-
-  Held<D> ax_, ay_, bx_, by_, cx_, cy_;
-  Held<D> ex0_, ey0_, ex1_, ey1_, ex2_, ey2_;
+  Edges<D> edges_;
 };
 
 template <class D>

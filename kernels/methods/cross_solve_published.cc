@@ -18,6 +18,7 @@
 #include <hwy/foreach_target.h>
 
 #include "kernels/rows-inl.h"
+#include "kernels/triangle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pitbench {
@@ -27,32 +28,24 @@ template <class D>
 class CrossSolvePublished {
  public:
   HWY_INLINE CrossSolvePublished(D d, const Triangles<D>& t)
-      : ax_(d, ValidOrNaN(d, DoubleArea(t), t.Ax())),
-        ay_(d, ValidOrNaN(d, DoubleArea(t), t.Ay())),
-        bx_(d, t.Bx()),
-        by_(d, t.By()),
-        cx_(d, t.Cx()),
-        cy_(d, t.Cy()) {}
+      : vertices_(ValidVertices(d, t)) {}
 
   // 0/0 and ∞/∞ are NaN and fail both compares.
   template <class E>
   HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
-    const auto xa = Sub(ax_.In(e), x);
-    const auto ya = Sub(ay_.In(e), y);
-    const auto xb = Sub(bx_.In(e), x);
-    const auto yb = Sub(by_.In(e), y);
-    const auto xc = Sub(cx_.In(e), x);
-    const auto yc = Sub(cy_.In(e), y);
-    const auto sa = Sub(Mul(xb, yc), Mul(xc, yb));
-    const auto sb = Div(Sub(Mul(xc, ya), Mul(xa, yc)), sa);
-    const auto sc = Div(Sub(Mul(xa, yb), Mul(xb, ya)), sa);
+    auto sa = x;
+    auto sb = x;
+    auto sc = x;
+    CrossFromPoint<false>(vertices_, e, x, y, sa, sb, sc);
+    const auto b = Div(sb, sa);
+    const auto c = Div(sc, sa);
     const auto zero = Zero(e);
     const auto one = Set(e, TFromD<E>{1});
-    return AndLe(AndGe(AndLe(Ge(sb, zero), sb, one), sc, zero), sc, one);
+    return AndLe(AndGe(AndLe(Ge(b, zero), b, one), c, zero), c, one);
   }
 
  private:
-  Held<D> ax_, ay_, bx_, by_, cx_, cy_;
+  Vertices<D> vertices_;
 };
 
 constexpr Method kCrossSolvePublished{

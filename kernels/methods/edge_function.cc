@@ -4,7 +4,9 @@
 //
 // Set-up: 3 edges, 6 multiplications, 3 subtractions. Per point: 6
 // multiplications, 6 additions (with FMA 6 multiply-adds), 3 compares.
-// Boundary: closed. Winding: fixed by the set-up. Degenerate: contains nothing.
+// Boundary: closed, or top-left: each edge is compared with 0 or with the
+// smallest number above it. Winding: fixed by the set-up. Degenerate: contains
+// nothing.
 // Fails: |C_k| grows with the distance from the origin, and with it the error;
 // neighbours disagree on their common edge.
 // Integers: exact while the coordinates of triangles and points have at most
@@ -15,12 +17,13 @@
 #include <hwy/foreach_target.h>
 
 #include "kernels/rows-inl.h"
+#include "kernels/triangle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-template <class D, bool kFma>
+template <class D, bool kFma, Boundary kBoundary>
 class EdgeFunction {
   using T = TFromD<D>;
 
@@ -30,9 +33,15 @@ class EdgeFunction {
 
   template <class E>
   HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
-    return AllNonNegative(e, Edge(a0_.In(e), b0_.In(e), c0_.In(e), x, y),
-                          Edge(a1_.In(e), b1_.In(e), c1_.In(e), x, y),
-                          Edge(a2_.In(e), b2_.In(e), c2_.In(e), x, y));
+    const auto e0 = Edge(a0_.In(e), b0_.In(e), c0_.In(e), x, y);
+    const auto e1 = Edge(a1_.In(e), b1_.In(e), c1_.In(e), x, y);
+    const auto e2 = Edge(a2_.In(e), b2_.In(e), c2_.In(e), x, y);
+    if constexpr (kBoundary == Boundary::kClosed) {
+      return AllNonNegative(e, e0, e1, e2);
+    } else {
+      return AllAtLeast(e0, least0_.In(e), e1, least1_.In(e), e2,
+                        least2_.In(e));
+    }
   }
 
  private:
@@ -45,7 +54,10 @@ class EdgeFunction {
         c1_(d, Constant(d, a1_.In(d), b1_.In(d), t.Bx(), t.By(), sign)),
         a2_(d, Mul(Sub(t.Cy(), t.Ay()), sign)),
         b2_(d, Mul(Sub(t.Ax(), t.Cx()), sign)),
-        c2_(d, Constant(d, a2_.In(d), b2_.In(d), t.Cx(), t.Cy(), sign)) {}
+        c2_(d, Constant(d, a2_.In(d), b2_.In(d), t.Cx(), t.Cy(), sign)),
+        least0_(d, b0_.In(d), Sub(Zero(d), a0_.In(d))),
+        least1_(d, b1_.In(d), Sub(Zero(d), a1_.In(d))),
+        least2_(d, b2_.In(d), Sub(Zero(d), a2_.In(d))) {}
 
   static HWY_INLINE Vec<D> Sign(D d, Vec<D> area) {
     if constexpr (std::is_integral_v<T>) {
@@ -80,12 +92,17 @@ class EdgeFunction {
   Held<D> a0_, b0_, c0_;
   Held<D> a1_, b1_, c1_;
   Held<D> a2_, b2_, c2_;
+  [[no_unique_address]] Least<D, kBoundary> least0_;
+  [[no_unique_address]] Least<D, kBoundary> least1_;
+  [[no_unique_address]] Least<D, kBoundary> least2_;
 };
 
 template <class D>
-using EdgeFunctionPlain = EdgeFunction<D, false>;
+using EdgeFunctionPlain = EdgeFunction<D, false, Boundary::kClosed>;
 template <class D>
-using EdgeFunctionFma = EdgeFunction<D, true>;
+using EdgeFunctionFma = EdgeFunction<D, true, Boundary::kClosed>;
+template <class D>
+using EdgeFunctionTopLeft = EdgeFunction<D, false, Boundary::kTopLeft>;
 
 constexpr Method kEdgeFunction{
     .key = "edge_function",
@@ -98,11 +115,19 @@ constexpr Method kEdgeFunctionFma{
     .formula = kEdgeFunction.formula,
     .fma = true,
 };
+constexpr Method kEdgeFunctionTopLeft{
+    .key = "edge_function_top_left",
+    .source = "Pineda 1988, with the rasterisers' rule",
+    .formula = "A·x + B·y + C ≥ 0 for a top or left edge, else > 0",
+    .boundary = Boundary::kTopLeft,
+};
 
 }  // namespace PITBENCH_ISA
 }  // namespace pitbench
 HWY_AFTER_NAMESPACE();
 
-PITBENCH_KERNELS(edge_function, FloatRows<EdgeFunctionPlain>(kEdgeFunction) +
-                                    GridRows<EdgeFunctionPlain>(kEdgeFunction) +
-                                    FmaRows<EdgeFunctionFma>(kEdgeFunctionFma));
+PITBENCH_KERNELS(edge_function,
+                 FloatRows<EdgeFunctionPlain>(kEdgeFunction) +
+                     GridRows<EdgeFunctionPlain>(kEdgeFunction) +
+                     FmaRows<EdgeFunctionFma>(kEdgeFunctionFma) +
+                     FloatRows<EdgeFunctionTopLeft>(kEdgeFunctionTopLeft));

@@ -6,7 +6,8 @@
 //
 // Set-up: Gram matrix and its inverse, one division; the contract's check for
 // a degenerate triangle, whose Gram determinant may round to more than 0. Per
-// point: 2 subtractions, 8 multiplications, 5 additions, 3 compares.
+// point: 2 subtractions, 8 multiplications, 5 additions, 3 compares; with FMA 4
+// multiplications, 4 multiply-adds and 1 addition.
 // Boundary: closed. Winding: any. Degenerate: contains nothing.
 // Fails: the Gram determinant is the square of the area, so it vanishes on
 // needles where the area does not: f32 (0, 0) (1, 0) (1, 0x1p-13). It
@@ -22,7 +23,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-template <class D>
+template <class D, bool kFma>
 class UvProjection {
   using T = TFromD<D>;
 
@@ -57,7 +58,8 @@ class UvProjection {
                           Vec<D> cx, Vec<D> cy, Vec<D> bb, Vec<D> bc, Vec<D> cc)
       : UvProjection(d, t, bx, by, cx, cy, bb, bc, cc,
                      ValidOrNaN(d, DoubleArea(t),
-                                Inverse(d, Sub(Mul(bb, cc), Mul(bc, bc))))) {}
+                                Inverse(d, DifferenceOfProducts<kFma>(
+                                               bb, cc, bc, bc)))) {}
 
   HWY_INLINE UvProjection(D d, const Triangles<D>& t, Vec<D> bx, Vec<D> by,
                           Vec<D> cx, Vec<D> cy, Vec<D> bb, Vec<D> bc, Vec<D> cc,
@@ -74,7 +76,7 @@ class UvProjection {
 
   template <class V>
   static HWY_INLINE V Dot(V ax, V ay, V bx, V by) {
-    return Add(Mul(ax, bx), Mul(ay, by));
+    return SumOfProducts<kFma>(ax, bx, ay, by);
   }
 
   static HWY_INLINE Vec<D> Inverse(D d, Vec<D> determinant) {
@@ -87,14 +89,19 @@ class UvProjection {
     const auto dy = Sub(y, ay_.In(e));
     const auto on_b = Dot(dx, dy, bx_.In(e), by_.In(e));
     const auto on_c = Dot(dx, dy, cx_.In(e), cy_.In(e));
-    u = Add(Mul(g00_.In(e), on_b), Mul(g01_.In(e), on_c));
-    v = Add(Mul(g01_.In(e), on_b), Mul(g11_.In(e), on_c));
+    u = SumOfProducts<kFma>(g00_.In(e), on_b, g01_.In(e), on_c);
+    v = SumOfProducts<kFma>(g01_.In(e), on_b, g11_.In(e), on_c);
   }
 
   Held<D> ax_, ay_;
   Held<D> bx_, by_, cx_, cy_;
   Held<D> g00_, g01_, g11_;
 };
+
+template <class D>
+using UvProjectionPlain = UvProjection<D, false>;
+template <class D>
+using UvProjectionFma = UvProjection<D, true>;
 
 constexpr Method kUvProjection{
     .key = "uv_projection",
@@ -103,9 +110,16 @@ constexpr Method kUvProjection{
         "u ≥ 0, v ≥ 0, u + v ≤ 1, (u, v) = G⁻¹ · dot products with the "
         "edges from A",
 };
+constexpr Method kUvProjectionFma{
+    .key = "uv_projection_fma",
+    .source = kUvProjection.source,
+    .formula = kUvProjection.formula,
+    .fma = true,
+};
 
 }  // namespace PITBENCH_ISA
 }  // namespace pitbench
 HWY_AFTER_NAMESPACE();
 
-PITBENCH_KERNELS(uv_projection, FloatRows<UvProjection>(kUvProjection));
+PITBENCH_KERNELS(uv_projection, FloatRows<UvProjectionPlain>(kUvProjection) +
+                                    FmaRows<UvProjectionFma>(kUvProjectionFma));

@@ -1,0 +1,99 @@
+// Point in triangle by three cross products of the vertices relative to the
+// point: Shewchuk's orient2d (1997) before he makes it adaptive.
+//
+//   (v − P) × (w − P) ≥ 0 for each edge vw, counter-clockwise
+//
+// Set-up: B and C exchanged where the triangle is clockwise. Per point: 9
+// subtractions, 6 multiplications, 3 compares; with FMA 6 subtractions, 3
+// multiplications, 3 multiply-subtracts.
+// Boundary: closed, or top-left: each edge is compared with 0 or with the
+// smallest number above it. Winding: fixed by the set-up. Degenerate: contains
+// nothing.
+// Fails: differences from P round, so near an edge the sign may be wrong; but
+// two neighbours compute the same magnitudes with opposite signs, so closed
+// neighbours leave no hole and top-left ones share no point. With FMA they
+// round different products, and both is lost.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/methods/cross_product_centered.cc"
+#include <hwy/foreach_target.h>
+
+#include "kernels/rows-inl.h"
+#include "kernels/triangle-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+template <class D, bool kFma, Boundary kBoundary>
+class CrossProductCentered {
+ public:
+  HWY_INLINE CrossProductCentered(D d, const Triangles<D>& t)
+      : CrossProductCentered(d, CounterClockwise(d, t, DoubleArea(t))) {}
+
+  // An infinite coordinate of P makes one of the three NaN, or two of them
+  // infinite with opposite signs: outside, as it has to be.
+  template <class E>
+  HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
+    auto on_bc = x;
+    auto on_ca = x;
+    auto on_ab = x;
+    CrossFromPoint<kFma>(vertices_, e, x, y, on_bc, on_ca, on_ab);
+    return AllAtLeast(on_bc, least_bc_.In(e), on_ca, least_ca_.In(e), on_ab,
+                      least_ab_.In(e));
+  }
+
+ private:
+  HWY_INLINE CrossProductCentered(D d, const Vertices<D>& v)
+      : vertices_(v),
+        least_bc_(Of(d, v.bx, v.by, v.cx, v.cy)),
+        least_ca_(Of(d, v.cx, v.cy, v.ax, v.ay)),
+        least_ab_(Of(d, v.ax, v.ay, v.bx, v.by)) {}
+
+  static HWY_INLINE Least<D, kBoundary> Of(D d, const Held<D>& from_x,
+                                           const Held<D>& from_y,
+                                           const Held<D>& to_x,
+                                           const Held<D>& to_y) {
+    return {d, Sub(to_x.In(d), from_x.In(d)), Sub(to_y.In(d), from_y.In(d))};
+  }
+
+  Vertices<D> vertices_;
+  [[no_unique_address]] Least<D, kBoundary> least_bc_;
+  [[no_unique_address]] Least<D, kBoundary> least_ca_;
+  [[no_unique_address]] Least<D, kBoundary> least_ab_;
+};
+
+template <class D>
+using Closed = CrossProductCentered<D, false, Boundary::kClosed>;
+template <class D>
+using ClosedFma = CrossProductCentered<D, true, Boundary::kClosed>;
+template <class D>
+using TopLeft = CrossProductCentered<D, false, Boundary::kTopLeft>;
+
+constexpr Method kClosed{
+    .key = "cross_product_centered",
+    .source = "Shewchuk 1997, orient2d without adaptivity",
+    .formula = "(v − P) × (w − P) ≥ 0 for each edge vw",
+};
+constexpr Method kClosedFma{
+    .key = "cross_product_centered_fma",
+    .source = kClosed.source,
+    .formula = kClosed.formula,
+    .fma = true,
+};
+constexpr Method kTopLeft{
+    .key = "cross_product_centered_top_left",
+    .source = "Shewchuk 1997, with the rasterisers' rule",
+    .formula =
+        "(v − P) × (w − P) ≥ 0 for each top or left edge vw, > 0 for the "
+        "others",
+    .boundary = Boundary::kTopLeft,
+};
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+PITBENCH_KERNELS(cross_product_centered, FloatRows<Closed>(kClosed) +
+                                             FmaRows<ClosedFma>(kClosedFma) +
+                                             FloatRows<TopLeft>(kTopLeft));
