@@ -14,7 +14,7 @@
 #include "harness/scenes/random.h"
 #include "harness/truth/truth.h"
 #include "kernels/kernels.h"
-#include "tests/expected_answer.h"
+#include "harness/truth/expected.h"
 #include "tests/kernel_answers.h"
 
 namespace pitbench {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "harness/truth/orientation.h"
-#include "tests/expected_answer.h"
+#include "harness/truth/expected.h"
 #include "tests/made_scene.h"
 
 namespace pitbench {
