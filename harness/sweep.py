@@ -35,6 +35,7 @@ from types import FrameType
 from typing import IO
 
 from locks import Refusal, folder_lock, timing_lock
+from options import parse_arguments
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from run_folder import (
@@ -251,36 +252,6 @@ def sweep(options: argparse.Namespace, out: Path) -> int:
     for name in work.failed:
         work.say(f"failed: {name}")
     return 1 if work.failed else 0
-
-
-def parse_arguments(arguments: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        description="Run the shards of a profile whose results are missing."
-    )
-    parser.add_argument("--pitbench", default="build/pitbench", metavar="PROGRAM")
-    parser.add_argument("--profile", default="quick", help="tiny, quick or full")
-    what = parser.add_mutually_exclusive_group(required=True)
-    what.add_argument("--out", type=Path, metavar="FOLDER", help="results/NAME")
-    what.add_argument(
-        "--print-run-name",
-        action="store_true",
-        help="only print a name for a run of this program's revision",
-    )
-    only = parser.add_mutually_exclusive_group()
-    only.add_argument("--shard", metavar="NAME", help="run this shard only")
-    only.add_argument(
-        "--index", type=int, metavar="K", help="run the K-th shard only, from 0"
-    )
-    parser.add_argument(
-        "--jobs",
-        type=int,
-        metavar="N",
-        help="shards of accuracy and maps at once (by default, one a core)",
-    )
-    options = parser.parse_args(arguments)
-    if options.jobs is not None and options.jobs < 1:
-        parser.error("--jobs must be at least 1")
-    return options
 
 
 def main(arguments: list[str]) -> int:

@@ -1,6 +1,7 @@
 // Reading CSV: what is accepted, to the last bit, and what each error says.
 #include "harness/input/csv.h"
 
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -213,6 +214,39 @@ TEST_F(CsvTest, DashIsStandardInput) {
   }
   dup2(kept, STDIN_FILENO);
   close(kept);
+}
+
+TEST_F(CsvTest, TextInMemoryIsReadLikeAFile) {
+  const auto table = ReadCsvText<double>(
+      "cases.csv", "ax,ay,bx\r\n1,2,3\n4,0x1p-1,6", kHeader);
+  ASSERT_EQ(table.rows, 2u);
+  EXPECT_EQ(table.columns[1][1], 0.5);
+  try {
+    ReadCsvText<double>("cases.csv", "ax,ay,bx\n1,2", kHeader);
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string_view(error.what())
+                    .starts_with("cases.csv, line 2: the line ends with"));
+  }
+}
+
+TEST_F(CsvTest, ExactNumbersAreNotRounded) {
+  const auto table = Read<mpq_class>("ax,ay,bx\n0.1,0x1p-1,1e3\n");
+  EXPECT_EQ(table.columns[0][0], mpq_class(1, 10));
+  EXPECT_EQ(table.columns[1][0], mpq_class(1, 2));
+  EXPECT_EQ(table.columns[2][0], 1000);
+  ExpectParts(Error<mpq_class>("ax,ay,bx\n1,nan,3\n"),
+              {"line 2", "\"ay\"", "\"nan\" is not a number"});
+}
+
+TEST_F(CsvTest, TextFieldsStandAsTheyAre) {
+  const auto table = Read<std::string>("ax,ay,bx\n a b ,,0.10\n");
+  EXPECT_EQ(table.columns[0][0], " a b ");
+  EXPECT_EQ(table.columns[1][0], "");
+  EXPECT_EQ(ParseNumber<float>(table.columns[2][0]), 0.1f);
+  EXPECT_EQ(ParseNumber<mpq_class>(table.columns[2][0]), mpq_class(1, 10));
+  EXPECT_THROW(ParseNumber<double>(table.columns[0][0]), InputError);
+  EXPECT_THROW(ParseNumber<double>("1e999"), InputError);
 }
 
 TEST_F(CsvTest, AMillionLinesAreRead) {

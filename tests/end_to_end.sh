@@ -44,10 +44,7 @@ check() {
 readonly run=$work/results/tiny
 sweep=("$python" harness/sweep.py --pitbench "$pitbench" --profile tiny --out "$run")
 
-shard_files() {
-  find "$run" -maxdepth 1 \( -name 'speed-*.json' -o -name 'accuracy-*.json' \
-    -o -name maps.json \)
-}
+shard_files() { find "$run" -maxdepth 1 -regex '.*/\(speed-.*\|accuracy-.*\|maps\)\.json'; }
 
 # The commands of the shards that the sweep is running now.
 running_shards() {

@@ -90,6 +90,13 @@ TYPED_TEST(ScenesMeshTest, SmallMeshesAskAllTheirTriangles) {
 }
 
 TYPED_TEST(ScenesMeshTest, PointsOnEdgesAndVerticesAreAmongTheQueries) {
+  for (const std::string name : {"mesh_pair:ulps=0", "mesh_fan:ulps=0"}) {
+    std::size_t on_edge = 0;
+    const auto claims = ClaimsOf(Make<TypeParam>(name, Loop::kPairs));
+    for (const Claims& c : claims) on_edge += c.closed == 2 ? 1u : 0u;
+    EXPECT_GT(on_edge, claims.size() / 5) << name;
+    EXPECT_LT(on_edge, claims.size() * 4 / 5) << name;
+  }
   std::size_t in_fan = 0;
   for (const Claims& c :
        ClaimsOf(Make<TypeParam>("mesh_fan:ulps=0", Loop::kOnePoint))) {

@@ -3,7 +3,9 @@
 //
 // The vector has as many bits as that leaves, so products of its components
 // round: where one of two products is rounded and the other is not, as by a
-// contracted multiply-add, such a triangle seems to have an area.
+// contracted multiply-add, such a triangle seems to have an area. Half of the
+// collinear ones lie on a line through the origin instead and are multiples
+// ±2^-k of one vector: so their differences round as well.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -54,9 +56,27 @@ struct Degenerate {
     return {at(steps[0]), at(steps[1]), at(steps[2])};
   }
 
+  // Different powers of two, either sign, in any order.
+  static Triangle<double> Multiples(Random& random, const Point<double>& v) {
+    double power = 1;
+    double multiples[3];
+    const std::size_t first = random.Below(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      power = std::ldexp(power, -1 - static_cast<int>(random.Below(8)));
+      multiples[(first + i) % 3] = random.Below(2) == 0 ? power : -power;
+    }
+    const auto at = [&](double k) -> Point<double> {
+      return {k * v.x, k * v.y};
+    };
+    return {at(multiples[0]), at(multiples[1]), at(multiples[2])};
+  }
+  bool IsMultiples(Random& random) const {
+    return kind == "collinear" && random.Below(2) == 0;
+  }
+
   // A point exactly on the line through the vertices, up to an edge's length
   // (4 in either coordinate) beyond them, in steps of a quarter of that edge.
-  // All of one point: that.
+  // All of one point: that. On a line through the origin it may round.
   static Point<double> OnLine(Random& random, const Triangle<double>& t) {
     const bool doubled = t.a.x == t.b.x && t.a.y == t.b.y;
     const Point<double>& to = doubled ? t.c : t.b;
@@ -65,7 +85,9 @@ struct Degenerate {
   }
 
   Triangle<T> DrawTriangle(Random& random) const {
-    return Rounded<T>(Draw(random));
+    if (!IsMultiples(random)) return Rounded<T>(Draw(random));
+    const Point<T> v = Rounded<T>(InUnitSquare(random));
+    return Rounded<T>(Multiples(random, {v.x, v.y}));
   }
   Point<T> DrawPoint(Random& random) const {
     return Rounded<T>(OnGrid(InUnitSquare(random)));
@@ -92,9 +114,13 @@ struct Degenerate {
     return p;
   }
 
-  // The triangle is moved so that p is on its line, or beside it by a step of
+  // Multiples of p itself are on a line with it. Any other triangle is moved so
+  // that p is on its line, or beside it by a step of
   // the grid, or anywhere. Coordinates: at most 1 + 7 + 3.
   Triangle<T> TriangleFor(Random& random, const Point<T>& p) const {
+    if (IsMultiples(random)) {
+      return Rounded<T>(Multiples(random, {p.x, p.y}));
+    }
     const Triangle<double> t = Draw(random);
     const Point<double> on = OnLine(random, t);
     Point<double> move{static_cast<double>(p.x) - on.x,

@@ -1,5 +1,10 @@
 // Two triangles with a shared edge, and a fan of eight around a vertex. Every
 // triangle of such a mesh is asked about every point.
+//
+// Half of the meshes are exact: their vertices are multiples of 2^-10, and
+// points are sixteenths of an edge along it. So before they are moved, these
+// points are on the edge exactly; those of other meshes only as far as they
+// round.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,19 +23,29 @@ std::int64_t EitherSign(Random& random, std::int64_t ulps) {
   return random.Below(2) == 0 ? ulps : -ulps;
 }
 
+double ExactIf(bool exact, double x, int bits) {
+  return exact ? std::ldexp(std::floor(std::ldexp(x, bits)), -bits) : x;
+}
+template <class T>
+Point<T> VertexAt(bool exact, const Point<double>& p) {
+  return Rounded<T>(
+      Point<double>{ExactIf(exact, p.x, 10), ExactIf(exact, p.y, 10)});
+}
+
 // Which side of ab the point c is on, as far as double tells.
 double Side(const Point<double>& a, const Point<double>& b,
             const Point<double>& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Points on the shared edge, and `ulps` numbers off it. They are a tenth of an
-// altitude, 0.02, or more from the other edges, and 2^16 numbers of f32 below 1
-// are less.
+// Points on the shared edge, and `ulps` numbers off it. They are a sixteenth of
+// an altitude, 0.012, or more from the other edges, and 2^16 numbers of f32
+// below 1 are 0.004 at most.
 template <class T>
 struct Pair {
   static constexpr std::size_t kTriangles = 2;
   std::int64_t ulps;
+  bool exact;
   Point<T> from;
   Point<T> to;
 
@@ -43,13 +58,14 @@ struct Pair {
       if (Side(a, b, c) * Side(a, b, d) >= 0) continue;
       if (!HasAltitude({a, b, c}, kWellShaped)) continue;
       if (!HasAltitude({a, b, d}, kWellShaped)) continue;
-      from = Rounded<T>(a);
-      to = Rounded<T>(b);
-      return {{from, to, Rounded<T>(c)}, {to, from, Rounded<T>(d)}};
+      from = VertexAt<T>(exact, a);
+      to = VertexAt<T>(exact, b);
+      return {{from, to, VertexAt<T>(exact, c)},
+              {to, from, VertexAt<T>(exact, d)}};
     }
   }
   Point<T> DrawPoint(Random& random) const {
-    const double s = random.In(0.1, 0.9);
+    const double s = ExactIf(exact, random.In(0.1, 0.9), 4);
     return BesideEdge(from, to, s, EitherSign(random, ulps));
   }
 };
@@ -60,6 +76,7 @@ template <class T>
 struct Fan {
   static constexpr std::size_t kTriangles = 8;
   std::int64_t ulps;
+  bool exact;
   Point<T> middle;
   std::array<Point<T>, kTriangles> rim;
 
@@ -74,15 +91,15 @@ struct Fan {
     const double s = slope * c;
     const double x = random.In(0.4, 0.6);
     const double y = random.In(0.4, 0.6);
-    middle = Rounded<T>(Point<double>{x, y});
+    middle = VertexAt<T>(exact, {x, y});
     for (std::size_t k = 0; k < kTriangles; ++k) {
       const double unit = k % 2 == 0 ? 1 : std::sqrt(0.5);
       const double radius = random.In(0.25, 0.45) * unit;
       const double off_x = random.In(-0.05, 0.05);
       const double off_y = random.In(-0.05, 0.05);
-      rim[k] = Rounded<T>(
-          Point<double>{x + radius * (c * kX[k] - s * kY[k]) + off_x,
-                        y + radius * (s * kX[k] + c * kY[k]) + off_y});
+      rim[k] =
+          VertexAt<T>(exact, {x + radius * (c * kX[k] - s * kY[k]) + off_x,
+                              y + radius * (s * kX[k] + c * kY[k]) + off_y});
     }
     std::vector<Triangle<T>> triangles;
     for (std::size_t k = 0; k < kTriangles; ++k) {
@@ -96,7 +113,7 @@ struct Fan {
       return {x, Step(middle.y, EitherSign(random, ulps))};
     }
     const std::size_t k = random.Below(kTriangles);
-    const double s = random.In(0.05, 0.6);
+    const double s = ExactIf(exact, random.In(0.05, 0.6), 4);
     return BesideEdge(middle, rim[k], s, EitherSign(random, ulps));
   }
 };
@@ -108,10 +125,11 @@ Scene<T> SmallMeshes(const SceneSpec& spec, Loop loop, SceneSize size,
   Scene<T> scene{.name = spec.name, .loop = loop};
   Random random(
       SeedFor(std::string(Name(loop)).append("/").append(spec.name), seed));
-  Family family{spec.Number("ulps", 0, 1 << 16), {}, {}};
+  Family family{spec.Number("ulps", 0, 1 << 16), false, {}, {}};
   const std::size_t meshes =
       std::max<std::size_t>(size.groups / Family::kTriangles, 1);
   for (std::size_t m = 0; m < meshes; ++m) {
+    family.exact = random.Below(2) == 0;
     Mesh<T> mesh;
     for (const Triangle<T>& t : family.Draw(random)) {
       mesh.triangles.push_back(InAnyOrder(random, t));
