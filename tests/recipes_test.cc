@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "harness/scenes/random.h"
+#include "harness/truth/expected.h"
 #include "harness/truth/truth.h"
 #include "kernels/kernels.h"
-#include "harness/truth/expected.h"
 #include "tests/kernel_answers.h"
 
 namespace pitbench {

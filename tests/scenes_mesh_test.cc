@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "harness/truth/orientation.h"
 #include "harness/truth/expected.h"
+#include "harness/truth/orientation.h"
 #include "tests/made_scene.h"
 
 namespace pitbench {
