@@ -1,5 +1,6 @@
 #include "harness/measure/cells.h"
 
+#include <map>
 #include <set>
 
 #include "harness/input/nearest.h"
@@ -178,10 +179,16 @@ std::string CellName(const Kernel& kernel, std::string_view scene) {
 std::vector<const Kernel*> KernelsFor(const ProfileScene& scene, Loop loop,
                                       const std::regex& filter) {
   std::vector<const Kernel*> found;
+  // RunsHere asks the CPU, which is slow on a virtual one: once an ISA.
+  std::map<Isa, bool> runs_here;
   for (const Kernel& kernel : AllKernels()) {
     if (kernel.loop != loop || kernel.scalar != scene.scalar) continue;
     if (kernel.output == Output::kWeights && !scene.weights) continue;
-    if (!RunsHere(kernel.isa)) continue;
+    const auto known = runs_here.find(kernel.isa);
+    const bool runs = known != runs_here.end()
+                          ? known->second
+                          : (runs_here[kernel.isa] = RunsHere(kernel.isa));
+    if (!runs) continue;
     if (!std::regex_search(CellName(kernel, scene.name), filter)) continue;
     found.push_back(&kernel);
   }
