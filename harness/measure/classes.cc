@@ -158,7 +158,8 @@ void AddChanged(const Kernel& kernel, const Answers<T>& answers,
   const Variants<T>& variants = details.GetVariants();
   std::vector<Bits> reversed;  // what exchanging B and C changes
   Bits changed;
-  for (const auto& [name, scene] : variants.changed) {
+  for (const auto& [name, variant] : variants.changed) {
+    const Scene<T>& scene = variant;  // no binding can be captured
     Run(kernel, scene, details.Scratch());
     const std::vector<Bits>& told_otherwise = details.Scratch().bits;
     Failures<T> failures(details);
