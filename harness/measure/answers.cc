@@ -172,19 +172,22 @@ SceneTruth JudgeScene(const Scene<T>& scene) {
 }
 
 template <class T>
-Answers<T> Run(const Kernel& kernel, const Scene<T>& scene) {
-  Answers<T> answers;
-  for (const Call& call : scene.calls) {
-    Bits& bits = answers.bits.emplace_back(scene.OutputBytes(call));
-    Result<T> result{.bits = bits.data()};
-    if (kernel.output == Output::kWeights) {
+void Run(const Kernel& kernel, const Scene<T>& scene, Answers<T>& answers) {
+  const bool weights = kernel.output == Output::kWeights;
+  answers.bits.resize(scene.calls.size());
+  for (auto& w : answers.weights) w.resize(weights ? scene.calls.size() : 0);
+  for (std::size_t c = 0; c < scene.calls.size(); ++c) {
+    const Call& call = scene.calls[c];
+    answers.bits[c].resize(scene.OutputBytes(call));
+    Result<T> result{.bits = answers.bits[c].data()};
+    if (weights) {
       for (std::size_t k = 0; k < 3; ++k) {
-        result.w[k] = answers.weights[k].emplace_back(call.n).data();
+        answers.weights[k][c].resize(call.n);
+        result.w[k] = answers.weights[k][c].data();
       }
     }
     FunctionOf<T>(kernel)(scene.BatchOf(call), result);
   }
-  return answers;
 }
 
 template <class T>
@@ -240,7 +243,7 @@ std::optional<std::string> Refusal(const Kernel& kernel, const Scene<T>& scene,
 
 #define PITBENCH_INSTANTIATE(T)                                               \
   template SceneTruth JudgeScene(const Scene<T>&);                            \
-  template Answers<T> Run(const Kernel&, const Scene<T>&);                    \
+  template void Run(const Kernel&, const Scene<T>&, Answers<T>&);             \
   template Answers<T> Ask(const Kernel&, const Scene<T>&, const SceneTruth&); \
   template std::optional<std::string> Refusal(const Kernel&, const Scene<T>&, \
                                               const SceneTruth&)

@@ -80,11 +80,18 @@ struct Answers {
   std::size_t stray_bits = 0;  // set past the last answer of a row
 };
 
-// Runs the kernel once on every call of the scene; judges nothing, so that only
-// bits and weights are set. Precondition: the kernel's loop and scalar are the
-// scene's, and its ISA runs here.
+// Runs the kernel once on every call of the scene and judges nothing: sets bits
+// and weights only, in memory that `answers` may have already. Precondition:
+// the kernel's loop and scalar are the scene's, and its ISA runs here.
 template <class T>
-Answers<T> Run(const Kernel& kernel, const Scene<T>& scene);
+void Run(const Kernel& kernel, const Scene<T>& scene, Answers<T>& answers);
+
+template <class T>
+Answers<T> Run(const Kernel& kernel, const Scene<T>& scene) {
+  Answers<T> answers;
+  Run(kernel, scene, answers);
+  return answers;
+}
 
 // The same, judged.
 template <class T>

@@ -47,8 +47,9 @@ class CandidateSource {
   explicit CandidateSource(std::uint64_t seed)
       : random_(SeedFor("hunt", seed)) {}
 
-  // A point beside an edge, near a vertex or anywhere around a triangle that is
-  // well shaped, a needle, or small where it lies. Not always admissible.
+  // A point beside an edge or the line of one, near a vertex or anywhere around
+  // a triangle that is well shaped, a needle, or small where it lies. Not
+  // always admissible.
   Candidate<T> Draw() {
     // A triangle in [−1, 1]², of any size and altitude.
     Triangle<double> t = WellShaped(random_);
@@ -68,11 +69,14 @@ class CandidateSource {
         at(foot.x + altitude * rise.x, foot.y + altitude * rise.y)};
     std::rotate(v.begin(), v.begin() + static_cast<int>(random_.Below(3)),
                 v.end());
-    // A point beside an edge, near a vertex, or anywhere around.
+    // A point beside an edge or its line, near a vertex, or anywhere around.
     Point<T> p{};
     switch (random_.Below(3)) {
       case 0:
-        p = BesideEdge(v[0], v[1], random_.In(-0.1, 1.1), Ulps());
+        p = BesideEdge(v[0], v[1],
+                       random_.Below(2) == 0 ? random_.In(-0.1, 1.1)
+                                             : random_.In(-1, 1) * 2 / size,
+                       Ulps());
         break;
       case 1:
         p = {Moved(v[0].x, Ulps()), Moved(v[0].y, Ulps())};

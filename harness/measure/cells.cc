@@ -1,6 +1,7 @@
 #include "harness/measure/cells.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace pitbench {
@@ -45,6 +46,8 @@ std::string CellName(const Kernel& kernel, std::string_view scene) {
 std::vector<const Kernel*> KernelsFor(const ProfileScene& scene, Loop loop,
                                       const std::regex& filter) {
   std::vector<const Kernel*> found;
+  // RunsHere asks the CPU, which is slow on a virtual one: once an ISA.
+  std::map<Isa, bool> runs_here;
   for (const Kernel& kernel : AllKernels()) {
     if (kernel.loop != loop || kernel.scalar != scene.scalar) continue;
     if (kernel.output == Output::kWeights && !scene.weights) continue;
@@ -53,7 +56,11 @@ std::vector<const Kernel*> KernelsFor(const ProfileScene& scene, Loop loop,
                   kernel.method.key) == scene.methods.end()) {
       continue;
     }
-    if (!RunsHere(kernel.isa)) continue;
+    const auto known = runs_here.find(kernel.isa);
+    const bool runs = known != runs_here.end()
+                          ? known->second
+                          : (runs_here[kernel.isa] = RunsHere(kernel.isa));
+    if (!runs) continue;
     if (!std::regex_search(CellName(kernel, scene.name), filter)) continue;
     found.push_back(&kernel);
   }

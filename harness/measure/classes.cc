@@ -142,14 +142,14 @@ void AddWrong(const Answers<T>& answers, SceneDetails<T>& details,
   }
 }
 
-// The bits that differ between two outputs, of those set in `among`.
-Bits Differing(const Bits& left, const Bits& right, const Bits& among) {
-  Bits bits(right.size());
+// Sets `bits` to those that differ between two outputs, of those in `among`.
+void Differing(const Bits& left, const Bits& right, const Bits& among,
+               Bits& bits) {
+  bits.resize(right.size());
   for (std::size_t byte = 0; byte < right.size(); ++byte) {
     bits[byte] =
         static_cast<std::uint8_t>((left[byte] ^ right[byte]) & among[byte]);
   }
-  return bits;
 }
 
 template <class T>
@@ -157,12 +157,15 @@ void AddChanged(const Kernel& kernel, const Answers<T>& answers,
                 SceneDetails<T>& details, json& classes) {
   const Variants<T>& variants = details.GetVariants();
   std::vector<Bits> reversed;  // what exchanging B and C changes
-  for (const auto& [name, scene] : variants.changed) {
-    const std::vector<Bits> told_otherwise = Run(kernel, scene).bits;
+  Bits changed;
+  for (const auto& [name, variant] : variants.changed) {
+    const Scene<T>& scene = variant;  // no binding can be captured
+    Run(kernel, scene, details.Scratch());
+    const std::vector<Bits>& told_otherwise = details.Scratch().bits;
     Failures<T> failures(details);
     for (std::size_t c = 0; c < scene.calls.size(); ++c) {
-      Bits changed = Differing(answers.bits[c], told_otherwise[c],
-                               details.truth().calls[c].strict);
+      Differing(answers.bits[c], told_otherwise[c],
+                details.truth().calls[c].strict, changed);
       // The last byte of a call cut short may hold answers of the whole one.
       const std::size_t n = scene.Answers(scene.calls[c]);
       if (name == "reversed_winding") {
@@ -188,7 +191,8 @@ void AddNotFinite(const Kernel& kernel, SceneDetails<T>& details,
   const Variants<T>& variants = details.GetVariants();
   if (!variants.not_finite) return;
   const Scene<T>& scene = *variants.not_finite;
-  const std::vector<Bits> said = Run(kernel, scene).bits;
+  Run(kernel, scene, details.Scratch());
+  const std::vector<Bits>& said = details.Scratch().bits;
   std::size_t accepted = 0;
   json inputs = json::array();
   for (std::size_t c = 0; c < scene.calls.size(); ++c) {

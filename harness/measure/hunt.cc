@@ -197,12 +197,13 @@ std::string HuntCsv(const Kernel& kernel,
   return csv;
 }
 
-#define PITBENCH_INSTANTIATE(T)                                         \
-  template std::vector<WrongInput<T>> Hunt(const Kernel&, double,       \
-                                           std::uint64_t, std::size_t); \
-  template std::string HuntCsv(const Kernel&, const std::vector<WrongInput<T>>&)
-PITBENCH_INSTANTIATE(float);
-PITBENCH_INSTANTIATE(double);
-#undef PITBENCH_INSTANTIATE
+template std::vector<WrongInput<float>> Hunt(const Kernel&, double,
+                                             std::uint64_t, std::size_t);
+template std::vector<WrongInput<double>> Hunt(const Kernel&, double,
+                                              std::uint64_t, std::size_t);
+template std::string HuntCsv(const Kernel&,
+                             const std::vector<WrongInput<float>>&);
+template std::string HuntCsv(const Kernel&,
+                             const std::vector<WrongInput<double>>&);
 
 }  // namespace pitbench

@@ -39,6 +39,9 @@ class SceneDetails {
 
   const Variants<T>& GetVariants();
 
+  // Memory for the answers to a variant, used again and again.
+  Answers<T>& Scratch() { return scratch_; }
+
   // Some answers and their exact weights.
   const std::vector<WeighedAnswer>& Weighed();
 
@@ -50,6 +53,7 @@ class SceneDetails {
   std::vector<std::vector<AnswerPlace>> queries_;
   std::vector<Variants<T>> variants_;  // one, once asked for
   std::vector<WeighedAnswer> weighed_;
+  Answers<T> scratch_;
 };
 
 }  // namespace pitbench

@@ -19,7 +19,6 @@ SHARDS = [
     ["speed-b", "speed"],
     ["accuracy-b", "accuracy"],
     ["accuracy-c", "accuracy"],
-    ["maps", "maps"],
 ]
 
 
