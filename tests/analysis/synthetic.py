@@ -252,7 +252,7 @@ def timed_cells(
     cells.append((twin, base * options.twin_ratio, 4096.0))
     if scalar == "f64" and loop == "pairs":
         cells = [
-            (name, None if "uv_projection" in name else ns, items)
+            (name, None if "/uv_projection/" in name else ns, items)
             for name, ns, items in cells
         ]
     return cells

@@ -84,15 +84,18 @@ def cell(scene: str, key: str, scalar: str, isa: str, wrong: int) -> dict[str, A
     if family == "degenerate":
         interior, exterior, degenerate = 0, 0, 9920
         wrong = min(wrong, 4000)
+    boundary = 80
+    if scene == "near_vertex:ulps=0":
+        interior, exterior, degenerate, boundary, wrong = 0, 0, 0, 9000, 0
     if scene in NOT_FINITE:
         interior = exterior = degenerate = wrong = 0
     outside = wrong // 3 if interior else 0
-    accepted = {"closed": 80, "open": 0}.get(METHODS[key].boundary, 40)
+    accepted = {"closed": boundary, "open": 0}.get(METHODS[key].boundary, boundary // 2)
     careless = 500 if METHODS[key].warning else 0
     classes = {
         "false_inside": share(family, wrong - outside, exterior + degenerate),
         "false_outside": share(family, outside, interior, "outside"),
-        "boundary_accepted": share(family, accepted, 80) | {"worst": []},
+        "boundary_accepted": share(family, accepted, boundary) | {"worst": []},
         "not_finite_accepted": share(family, careless, 1000),
         "reversed_winding": share(family, wrong // 5, 9900),
         "rotated_vertices": share(family, wrong // 4, 9900),
@@ -113,10 +116,10 @@ def cell(scene: str, key: str, scalar: str, isa: str, wrong: int) -> dict[str, A
         "isa": isa,
         "boundary_rule": METHODS[key].boundary,
         "accepts": METHODS[key].accepts,
-        "points": interior + exterior + degenerate + 80,
+        "points": interior + exterior + degenerate + boundary,
         "interior": interior,
         "exterior": exterior,
-        "boundary": 80,
+        "boundary": boundary,
         "degenerate": degenerate,
         "classes": classes,
         "weights": (
