@@ -16,6 +16,8 @@ from analysis.stats import ratio_interval
 from analysis.tables import reference_cells, samples
 
 _SHOWN = {"error": "near_edge", "hole": "hole", "double_hit": "double_hit"}
+# Forms whose name does not say what they are a form of.
+_FORM_OF = {"cross_product_fast_math": "cross_product_det"}
 _ENDS = ("", "_low", "_high", "_count", "_of")
 
 
@@ -34,7 +36,10 @@ def bases(
             found[method] = (fused, warnings.get(method, ""))
         elif method in warnings:
             shorter = [m for m in every if method.startswith(f"{m}_")]
-            found[method] = (max(shorter, key=len, default=""), warnings[method])
+            base = _FORM_OF.get(method, "")
+            if base not in every:
+                base = max(shorter, key=len, default="")
+            found[method] = (base, warnings[method])
     return found
 
 

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
 import pandas as pd
 
 from analysis import fields
-from analysis.cells import Cell
 from analysis.read_json import LoadError
 from analysis.run import ACCURACY_COLUMNS, WORST_COLUMNS
 
-_COUNTS = ("points", "interior", "exterior", "boundary", "degenerate")
+_COUNTS = ("points", "interior", "exterior", "boundary", "degenerate", "not_finite")
 _WEIGHTS = ("largest_ulps", "mean_ulps", "not_finite", "points")
 _FORWARD = ("largest_forward_ulps", "mean_forward_ulps")
-# Points with a coordinate that is not finite are of no class that needs a truth.
-_NOT_FINITE_FAMILY = "special"
 
 
 class AccuracyRows:
@@ -60,9 +58,10 @@ class AccuracyRows:
                     f"{columns[key]!r}"
                 )
         counts = {
-            key: fields.whole(path, f"{field}.{key}", row[key]) for key in _COUNTS
+            key: fields.whole(path, f"{field}.{key}", row.get(key, 0))
+            for key in _COUNTS
         }
-        classes = self._classes(path, field, row["classes"], counts, cell)
+        classes = self._classes(path, field, row["classes"], counts)
         weights = row["weights"] or {}
         ends = [row["classes"].get(k) for k in ("false_inside", "false_outside")]
         spans = [end["distance_ulps"] for end in ends if end and end["distance_ulps"]]
@@ -84,11 +83,12 @@ class AccuracyRows:
         for kind, share in row["classes"].items():
             for at, worst in enumerate(share["worst"]):
                 where = f"{field}.classes.{kind}.worst[{at}].distance_ulps"
+                far = worst["distance_ulps"]
                 self._worst.append(
                     (
                         *place,
                         kind,
-                        fields.distance(path, where, worst["distance_ulps"]),
+                        math.nan if far is None else fields.distance(path, where, far),
                         worst["said"],
                         *(" ".join(worst[key]) for key in ("a", "b", "c", "p")),
                     )
@@ -100,7 +100,6 @@ class AccuracyRows:
         field: str,
         classes: dict[str, Any],
         counts: dict[str, int],
-        cell: Cell,
     ) -> dict[str, Any]:
         points = {
             "false_outside": counts["interior"],
@@ -114,8 +113,7 @@ class AccuracyRows:
             count = fields.whole(path, f"{field}.classes.{kind}.count", share["count"])
             of = fields.whole(path, f"{field}.classes.{kind}.of", share["of"])
             expected = points.get(kind, of)
-            fewer = cell.scene.family == _NOT_FINITE_FAMILY
-            if of != expected and not (fewer and of < expected):
+            if of != expected:
                 raise LoadError(
                     f"{where}.of: is {of}, but the cell has {expected} such points"
                 )

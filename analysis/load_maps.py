@@ -14,6 +14,9 @@ from analysis.maps import Bits, Gradient, Maps, TwoTruths, UlpMap
 from analysis.read_json import LoadError, read_json
 
 
+_LARGEST_SIDE = 4096
+
+
 def load_maps(path: Path, same_run: SameRun) -> Maps:
     """Raises LoadError, which names the file and the field."""
     document = read_json(path, "maps")
@@ -52,6 +55,8 @@ def _ulp_map(path: Path, field: str, entry: dict[str, Any]) -> UlpMap:
 
 def _gradient(path: Path, field: str, entry: dict[str, Any]) -> Gradient:
     width, height = int(entry["width"]), int(entry["height"])
+    if not (0 < width <= _LARGEST_SIDE and 0 < height <= _LARGEST_SIDE):
+        raise LoadError(f"{path}: {field}.width: {width} by {height} is no picture")
     raw = _bytes(path, f"{field}.weights", entry["weights"], 12 * width * height)
     weights = np.frombuffer(raw, dtype="<f4").reshape(height, width, 3)
     corners = []

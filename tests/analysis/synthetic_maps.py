@@ -31,8 +31,7 @@ def document(
             if not (METHODS[method].only_f32 and scalar != "f32")
         ],
         "gradients": [
-            gradient(method, scalar, scene)
-            for scalar in scalars
+            gradient(method, scene)
             for method in methods
             if METHODS[method].weights
             for scene in ("near_origin", "far_away")
@@ -98,11 +97,10 @@ def answers(method: str, triangle: Any, x: Floats, y: Floats) -> Bits:
     return np.asarray(np.all(sides >= 0, axis=0) | np.all(sides <= 0, axis=0))
 
 
-def gradient(method: str, scalar: str, scene: str) -> dict[str, Any]:
-    """The weights as f32 makes them, whatever the scalar says."""
+def gradient(method: str, scene: str) -> dict[str, Any]:
     side, size = 96, 1.0
     away = 0.0 if scene == "near_origin" else 2.0**21
-    kind = np.float32 if scalar == "f32" else np.float64
+    kind = np.float32
     corners = [(away, away), (away + size, away), (away, away + size)]
     steps = (away + np.arange(side) * (size / side)).astype(kind)
     x, y = np.meshgrid(steps, steps)
@@ -120,7 +118,7 @@ def gradient(method: str, scalar: str, scene: str) -> dict[str, Any]:
     weights = np.stack([wa, wb, 1 - wa - wb], axis=2).astype("<f4")
     return {
         "method": method,
-        "scalar": scalar,
+        "scalar": "f32",
         "isa": "avx512",
         "scene": scene,
         "width": side,

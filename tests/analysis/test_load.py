@@ -72,6 +72,17 @@ def test_the_worst_inputs_of_every_class_are_kept(small_run: Path) -> None:
     assert worst["b"].iloc[0] == "0x1p+0 0x0p+0"
 
 
+def test_a_worst_input_without_a_distance_has_none(small_run: Path) -> None:
+    def unknown(document: Any) -> None:
+        for cell in document["cells"]:
+            for share in cell["classes"].values():
+                for answer in share["worst"]:
+                    answer["distance_ulps"] = None
+
+    edit(small_run / ACCURACY, unknown)
+    assert load_run(small_run).worst["distance_ulps"].isna().all()
+
+
 def test_bits_of_maps_are_read_row_by_row_and_lowest_first(small_run: Path) -> None:
     raw = bytearray(32 * 256)
     raw[32 * 5 + 2] = 0b1000_0001
@@ -204,6 +215,7 @@ def test_a_file_that_does_not_fit_is_refused_by_file_and_field(
     ("change", "says"),
     [
         ({"inside": ""}, "$.gradients[0].inside: has 0 bytes"),
+        ({"width": 0, "weights": ""}, "$.gradients[0].width: 0 by 96 is no picture"),
         ({"weights": "AAAA"}, "$.gradients[0].weights: has 3 bytes"),
         ({"a": ["0x1p+9999", "0x1p+0"]}, "$.gradients[0].a: 0x1p+9999 is no double"),
     ],

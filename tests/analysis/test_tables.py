@@ -64,6 +64,7 @@ def accuracy_frame(cells: dict[str, tuple[int, int, int, int]]) -> pd.DataFrame:
                 "exterior": exterior,
                 "boundary": 10,
                 "degenerate": 0,
+                "not_finite": 0,
                 "false_outside": false_outside,
                 "false_inside": false_inside,
                 "boundary_accepted": 10,
