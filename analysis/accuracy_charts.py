@@ -1,8 +1,11 @@
-"""The charts of accuracy against what makes a scene hard."""
+"""The charts of accuracy against what makes a scene hard.
+
+A panel a family of methods: the lines of all methods in one panel could not be
+told apart. The others stay in sight as thin grey lines.
+"""
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Callable
 from typing import Any
@@ -20,81 +23,59 @@ from analysis.chart_frame import (
     style,
     ticks_at,
 )
-from analysis.wording import listed, plain, power_of_two, share
+from analysis.hardness import Hardness
+from analysis.method_families import by_family, in_order
+from analysis.wording import listed, share
 
-
-@dataclasses.dataclass(frozen=True)
-class Hardness:
-    """A family of scenes and the parameter that makes its members harder."""
-
-    family: str
-    key: str
-    axis: str
-    what: str
-    harder: str  # "falls" or "grows": which way the parameter makes it hard
-    is_power: bool  # the parameter is an exponent of two
-    worded: str  # a value of it in a sentence
-
-    def words(self, value: float) -> str:
-        """A value of the parameter as a sentence has it."""
-        return self.worded.format(
-            power_of_two(value) if self.is_power else plain(value)
-        )
-
-
-HARDNESSES = (
-    Hardness(
-        "near_edge",
-        "ulps",
-        "distance from the edge, in ulps",
-        "distance from the edge",
-        "falls",
-        False,
-        "{} ulps",
-    ),
-    Hardness(
-        "needle",
-        "aspect",
-        "length of the triangle over height",
-        "aspect of a needle",
-        "grows",
-        True,
-        "an aspect of {}",
-    ),
-    Hardness(
-        "offset",
-        "ratio",
-        "distance from the origin over size",
-        "distance from the origin",
-        "grows",
-        True,
-        "{} sizes",
-    ),
-)
+# Inches.
+_WIDTH, _LEFT, _PANEL, _COLUMN = 11.0, 0.95, 2.7, 5.2
+_TOP, _BOTTOM, _GAP = 0.95, 0.75, 0.34
 
 
 def errors_along(
     tables: dict[str, pd.DataFrame], hardness: Hardness, isa: str, footer: str
 ) -> Chart:
     """Error rate against the parameter: one line a method with its Wilson
-    band, one panel a scalar. `tables`: scalar → errors_along, none empty.
+    band, a column of panels a scalar and a row a family of methods. `tables`:
+    scalar → errors_along, none empty.
     """
     scalars = sorted(tables)
     everything = pd.concat([tables[scalar] for scalar in scalars])
     rates = RateAxis(
         list(everything["error_rate"]), list(everything["error_rate_high"])
     )
+    families = by_family(everything["method"])
+    heights = [max(1.2, 0.145 * len(members)) for _, members in families]
+    height = _TOP + sum(heights) + _GAP * (len(heights) - 1) + _BOTTOM
     with style():
-        figure = plt.figure(figsize=(11, 4.7))
-        for index, scalar in enumerate(scalars):
-            axes = figure.add_axes((0.085 + 0.49 * index, 0.175, 0.24, 0.63))
-            _panel(axes, tables[scalar], hardness, rates)
-            rates.apply(
-                axes,
-                "wrong answers, share (log scale)   ←  better" if index == 0 else "",
-            )
-            axes.set_title(scalar, loc="left", fontsize=9.5, weight="bold", pad=4)
-            label_column(axes, _labels(tables[scalar], hardness, rates), size=7.6)
+        figure = plt.figure(figsize=(_WIDTH, height))
+        low = height - _TOP
+        for row, (family, members) in enumerate(families):
+            low -= heights[row]
+            for column, scalar in enumerate(scalars):
+                axes = figure.add_axes(
+                    (
+                        (_LEFT + column * _COLUMN) / _WIDTH,
+                        low / height,
+                        _PANEL / _WIDTH,
+                        heights[row] / height,
+                    )
+                )
+                _panel(axes, tables[scalar], members, hardness, rates)
+                if row < len(families) - 1:
+                    axes.tick_params(labelbottom=False)
+                else:
+                    axes.set_xlabel(hardness.axis_label, fontsize=8.5)
+                title = f"{family.title}, {scalar}"
+                axes.set_title(title, loc="left", fontsize=8.5, weight="bold", pad=3)
+            low -= _GAP
+        figure.text(
+            0.012,
+            0.5,
+            "wrong answers, share (log scale)      ←  better",
+            rotation=90,
+            va="center",
+        )
         title = _title(tables[scalars[0]], hardness, scalars[0])
         alt = f"{title}. " + " ".join(
             f"{scalar}: " + _extremes(tables[scalar]) for scalar in scalars
@@ -102,10 +83,18 @@ def errors_along(
         return finish(figure, f"errors-{hardness.family}", title, alt, footer)
 
 
-def _panel(axes: Any, table: pd.DataFrame, hardness: Hardness, rates: RateAxis) -> None:
-    place = _places(table, hardness)
-    for method in sorted(table["method"].unique(), key=palette.method_rank):
-        rows = table[table["method"] == method]
+def _panel(
+    axes: Any,
+    table: pd.DataFrame,
+    members: list[str],
+    hardness: Hardness,
+    rates: RateAxis,
+) -> None:
+    place = hardness.places(table["at"])
+    own = table[table["method"].isin(members)]
+    _others_in_grey(axes, table[~table["method"].isin(members)], rates, place)
+    for method in in_order(own["method"]):
+        rows = own[own["method"] == method]
         look = palette.method_style(method)
         at = [place(value) for value in rows["at"]]
         _band(axes, at, rows, rates, look)
@@ -114,21 +103,36 @@ def _panel(axes: Any, table: pd.DataFrame, hardness: Hardness, rates: RateAxis) 
             [rates.at(rate) for rate in rows["error_rate"]],
             color=look.colour,
             linestyle=look.dash,
-            linewidth=1.5,
+            linewidth=1.4,
             marker="o",
-            markersize=3,
+            markersize=2.6,
             markerfacecolor="white" if look.variant else look.colour,
+            zorder=3,
         )
-    _zero_whiskers(axes, table, rates, place)
+    _zero_whiskers(axes, own, rates, place)
     values = sorted(table["at"].unique())
     shown = values[:: max(1, -(-len(values) // 8))]
-    name: Callable[[float], str] = power_of_two if hardness.is_power else plain
-    names = {place(value): name(value) for value in shown}
+    names = {place(value): hardness.named(value) for value in shown}
     ticks_at(axes.xaxis, lambda position: names.get(position, ""), list(names))
-    axes.set_xlabel(f"{hardness.axis} (log scale)   harder →", fontsize=8.5)
+    axes.tick_params(labelsize=7.5)
     axes.margins(x=0.03)
     if hardness.harder == "falls":
         axes.invert_xaxis()
+    rates.apply(axes, "")
+    label_column(axes, _labels(own, hardness, rates, place), size=7.2)
+
+
+def _others_in_grey(
+    axes: Any, table: pd.DataFrame, rates: RateAxis, place: Callable[[float], float]
+) -> None:
+    """All in one line with gaps, which makes a small picture."""
+    at: list[float] = []
+    heights: list[float] = []
+    for method in in_order(table["method"]):
+        rows = table[table["method"] == method]
+        at += [*(place(value) for value in rows["at"]), math.nan]
+        heights += [*(rates.at(rate) for rate in rows["error_rate"]), math.nan]
+    axes.plot(at, heights, color="#DADADA", linewidth=0.6, zorder=1)
 
 
 def _zero_whiskers(
@@ -168,21 +172,14 @@ def _band(
     )
 
 
-def _places(table: pd.DataFrame, hardness: Hardness) -> Callable[[float], float]:
-    """Where a value of the parameter stands on the axis: at its logarithm, and
-    0, which has none, one step before the smallest.
-    """
-    positive = [value for value in table["at"] if value > 0]
-    smallest = min(positive, default=1.0)
-    if hardness.is_power:
-        return lambda value: value
-    return lambda value: math.log2(value) if value > 0 else math.log2(smallest) - 1
-
-
-def _labels(table: pd.DataFrame, hardness: Hardness, rates: RateAxis) -> list[Label]:
-    place = _places(table, hardness)
+def _labels(
+    table: pd.DataFrame,
+    hardness: Hardness,
+    rates: RateAxis,
+    place: Callable[[float], float],
+) -> list[Label]:
     labels = []
-    for method in sorted(table["method"].unique(), key=palette.method_rank):
+    for method in in_order(table["method"]):
         rows = table[table["method"] == method].sort_values("at")
         last = rows.iloc[0 if hardness.harder == "falls" else -1]
         look = palette.method_style(method)

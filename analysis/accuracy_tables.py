@@ -83,7 +83,8 @@ def errors_along(
     accuracy: pd.DataFrame, family: str, key: str, scalar: str, isa: str
 ) -> pd.DataFrame:
     """The error rate of each method against the parameter `key` of a family
-    of scenes (column `at`), for one scalar and ISA.
+    of scenes (column `at`), for one scalar and ISA. A scene all of whose points
+    lie on the boundary has no error rate and is left out.
     """
     chosen = accuracy[
         (accuracy["family"] == family)
@@ -92,7 +93,8 @@ def errors_along(
         & (accuracy["loop"] == accuracy_loop(accuracy))
     ]
     chosen = chosen.assign(at=parameter(chosen, key)).dropna(subset=["at"])
-    return sort_cells(error_rates(chosen, ["method", "at"]), ["method", "at"])
+    rates = error_rates(chosen, ["method", "at"]).dropna(subset=["error_rate"])
+    return sort_cells(rates, ["method", "at"])
 
 
 def speed_against_error(
@@ -138,27 +140,25 @@ def isa_agreement(accuracy: pd.DataFrame) -> pd.DataFrame:
 
 def weights_accuracy(accuracy: pd.DataFrame) -> pd.DataFrame:
     """The error of the weights, for each method, scalar and family of scenes:
-    the largest over all cells, and the mean over all their points.
+    the largest over all cells, and the mean over all their points; `forward`
+    is that of the point which the weights give.
     """
     judged = accuracy.dropna(subset=["weights_points"])
     judged = judged[judged["weights_points"].astype(float) > 0]
     rows = []
     for key, group in judged.groupby(["family", "method", "scalar"], sort=True):
         points = group["weights_points"].astype(float)
-        mean = (group["weights_mean_ulps"].astype(float) * points).sum() / points.sum()
-        rows.append(
-            {
-                **dict(zip(["family", "method", "scalar"], key)),
-                "largest_ulps": float(
-                    group["weights_largest_ulps"].astype(float).max()
-                ),
-                "mean_ulps": mean,
-                "not_finite": int(group["weights_not_finite"].astype(float).sum()),
-                "points": int(points.sum()),
-            }
-        )
+        row: dict[str, object] = dict(zip(["family", "method", "scalar"], key))
+        for kind in ("ulps", "forward_ulps"):
+            mean = group[f"weights_mean_{kind}"].astype(float) * points
+            largest = group[f"weights_largest_{kind}"].astype(float)
+            row[f"largest_{kind}"] = float(largest.max())
+            row[f"mean_{kind}"] = mean.sum() / points.sum()
+        row["not_finite"] = int(group["weights_not_finite"].astype(float).sum())
+        row["points"] = int(points.sum())
+        rows.append(row)
     columns = ["family", "method", "scalar", "largest_ulps", "mean_ulps"]
-    columns += ["not_finite", "points"]
+    columns += ["largest_forward_ulps", "mean_forward_ulps", "not_finite", "points"]
     return sort_cells(
         pd.DataFrame(rows, columns=columns), ["family", "scalar", "method"]
     )

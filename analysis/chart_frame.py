@@ -19,6 +19,7 @@ from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator  # noqa: E402
 
 from analysis.palette import GRID, INK, isa_marker  # noqa: E402
+from analysis.small_svg import inline  # noqa: E402
 
 # hashsalt and path outlines: the same data gives the same bytes, and the
 # letters look the same whatever fonts the reader has.
@@ -46,6 +47,7 @@ _STYLE = {
     "path.simplify": False,
 }
 _DPI = 100
+_TALL = 9  # inches; above, a PNG at twice the size is larger than a screen shows
 
 
 @dataclasses.dataclass(frozen=True)
@@ -96,17 +98,10 @@ def finish(figure: Any, key: str, title: str, alt: str, footer: str) -> Chart:
     svg = io.StringIO()
     figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
     png = io.BytesIO()
-    figure.savefig(png, format="png", dpi=2 * _DPI, metadata={"Software": None})
+    dpi = _DPI if height > _TALL else 2 * _DPI
+    figure.savefig(png, format="png", dpi=dpi, metadata={"Software": None})
     plt.close(figure)
-    return Chart(key, title, alt, _inline(svg.getvalue(), key), png.getvalue())
-
-
-def _inline(svg: str, key: str) -> str:
-    """The <svg> element alone, its ids made unique in a page of many."""
-    body = svg[svg.index("<svg") :]
-    for mark in ('id="', 'href="#', "url(#"):
-        body = body.replace(mark, f"{mark}{key}-")
-    return body
+    return Chart(key, title, alt, inline(svg.getvalue(), key), png.getvalue())
 
 
 def spread(
@@ -151,10 +146,8 @@ def label_column(axes: Any, labels: Sequence[Label], size: float = 8.5) -> None:
     """Writes the labels in a column right of the axes, each beside its point,
     none upon another, with a thin line from point to label.
     """
-    figure = axes.figure
-    figure.canvas.draw()
     box = axes.get_window_extent()
-    gap = size * 1.32 / 72 * figure.dpi / box.height
+    gap = size * 1.32 / 72 * axes.figure.dpi / box.height
     to_axes = axes.transData + axes.transAxes.inverted()
     points = [to_axes.transform((label.x, label.y)) for label in labels]
     heights = spread([point[1] for point in points], gap, 0.0, 1.0)

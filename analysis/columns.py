@@ -181,6 +181,12 @@ WEIGHTS = (
     word("method", "method"),
     number("largest_ulps", "largest error, ulps"),
     number("mean_ulps", "mean error, ulps"),
+    number(
+        "largest_forward_ulps",
+        "largest forward error, ulps",
+        "of the point that the weights give, in ulps of its larger coordinate",
+    ),
+    number("mean_forward_ulps", "mean forward error, ulps"),
     whole("not_finite", "not finite"),
     whole("points", "points"),
 )

@@ -25,6 +25,8 @@ class Column:
     numeric: bool = True
     hint: str = ""
     wraps: bool = False  # holds sentences, which may take several lines
+    tint: Callable[[Any], str] | None = None  # a class of the page's style
+    tip: Callable[[Any], str] | None = None  # shown when pointed at
 
 
 @dataclasses.dataclass(frozen=True)
@@ -32,6 +34,8 @@ class ShownCell:
     text: str
     sort: str  # what the page's script compares; empty: nothing is known
     note: str = ""
+    tint: str = ""
+    tip: str = ""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -109,11 +113,14 @@ class Exhibits:
 def _shown(column: Column, row: dict[str, Any]) -> ShownCell:
     text = column.show(row)
     note = column.note(row) if column.note else ""
+    tint = column.tint(row) if column.tint else ""
+    tip = column.tip(row) if column.tip else ""
     if not column.numeric:
-        return ShownCell(text, text, note)
+        return ShownCell(text, text, note, tint, tip)
     value = row[column.sort] if column.sort else math.nan
     known = isinstance(value, (int, float)) and math.isfinite(value)
-    return ShownCell(text, f"{value:.9g}" if known else "", note)
+    sort = f"{value:.9g}" if known else ""
+    return ShownCell(text, sort, note, tint, tip)
 
 
 def csv_text(data: pd.DataFrame) -> str:

@@ -19,11 +19,16 @@ from analysis.chart_frame import (
     per_second,
     style,
 )
+from analysis.method_families import CLASSICS, in_order
 from analysis.wording import listed, share, significant
+
+_OTHERS = "#C4C4C4"
 
 
 def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
-    """Speed against error: one mark a method × ISA, the frontier drawn.
+    """Speed against error: one mark a method × ISA, the frontier drawn. Only
+    the methods of the frontier and the classics are named and in colour; the
+    table beside has the others.
 
     `table`: tables.speed_against_error, without rows whose error is unknown.
     """
@@ -33,8 +38,12 @@ def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
         rates = RateAxis(list(table["error_rate"]), list(table["error_rate_high"]))
         axes.set_xscale("log")
         labels = []
-        for method in sorted(table["method"].unique(), key=palette.method_rank):
+        named = set(table[table["on_frontier"]]["method"]) | set(CLASSICS)
+        for method in in_order(table["method"]):
             rows = table[table["method"] == method].sort_values("items_per_second")
+            if method not in named:
+                _faint_marks(axes, rows, rates)
+                continue
             look = palette.method_style(method)
             heights = [rates.at(rate) for rate in rows["error_rate"]]
             axes.plot(
@@ -71,8 +80,10 @@ def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
         per_second(axes.xaxis)
         label_column(axes, labels)
         isas = sorted(table["isa"].unique(), key=palette.isa_rank)
-        line = Line2D([], [], color=palette.INK, linewidth=1.4, label="frontier")
-        isa_legend(figure, isas, [line])
+        more = [Line2D([], [], color=palette.INK, linewidth=1.4, label="frontier")]
+        if not set(table["method"]) <= named:
+            more.append(_legend_of_others())
+        isa_legend(figure, isas, more)
         front = table[table["on_frontier"]].sort_values("items_per_second")
         names = list(dict.fromkeys(reversed(list(front["method"]))))
         title = f"Speed against error, {scalar}: " + (
@@ -86,6 +97,32 @@ def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
             for row in front.itertuples()
         )
         return finish(figure, f"hero-{scalar}", title, alt, footer)
+
+
+def _faint_marks(axes: Any, rows: pd.DataFrame, rates: RateAxis) -> None:
+    """The marks of a method that is not named, below all others."""
+    for row in rows.itertuples():
+        axes.plot(
+            [row.items_per_second],
+            [rates.at(row.error_rate)],
+            marker=palette.isa_marker(row.isa),
+            markersize=4.5,
+            color=_OTHERS,
+            linestyle="",
+            zorder=1.5,
+        )
+
+
+def _legend_of_others() -> Any:
+    return Line2D(
+        [],
+        [],
+        color=_OTHERS,
+        marker="o",
+        markersize=4.5,
+        linestyle="",
+        label="methods not named here",
+    )
 
 
 def _hero_mark(axes: Any, row: Any, rates: RateAxis, look: palette.MethodStyle) -> None:

@@ -7,19 +7,19 @@ raises LoadError, which names the file and the field that does not fit.
 from __future__ import annotations
 
 import dataclasses
-import re
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 import pandas as pd
 
-from analysis.cells import Cell, CellNameError, parse_cell
+from analysis import fields
+from analysis.load_accuracy import AccuracyRows
+from analysis.load_maps import load_maps
+from analysis.maps import Maps
 from analysis.read_json import LoadError, read_json
 from analysis.run import (
-    ACCURACY_COLUMNS,
     REFUSED_COLUMNS,
     SPEED_COLUMNS,
-    WORST_COLUMNS,
     Cache,
     Machine,
     MethodEntry,
@@ -28,9 +28,6 @@ from analysis.run import (
 )
 
 __all__ = ["LoadError", "load_run"]
-
-# More than a double holds exactly is no count that a program made.
-_LARGEST_INTEGER: Final = 2**64
 
 
 def load_run(folder: Path) -> Run:
@@ -47,71 +44,42 @@ def load_run(folder: Path) -> Run:
             )
     machine_file = folder / "machine.json"
     machine_json = read_json(machine_file, "machine")
-    reference = {k: machine_json[k] for k in ("revision", "dirty", "seed")}
-    came_from: dict[str, Path] = {"revision": machine_file}
+    same_run = fields.SameRun(machine_file, machine_json)
 
     shards: list[Shard] = []
     speed: list[dict[str, Any]] = []
     refused: list[dict[str, Any]] = []
-    accuracy: list[dict[str, Any]] = []
-    worst: list[dict[str, Any]] = []
     seen: dict[str, Path] = {}
     for path in speed_files:
         document = read_json(path, "speed")
         context = document["context"]["pitbench"]
-        _check_same_run(path, "$.context.pitbench", context, reference, came_from)
-        shards.append(_shard(_shard_name(path), context))
+        same_run.check(path, "$.context.pitbench", context)
+        shards.append(_shard(fields.shard_name(path), context))
         _add_speed_rows(path, document["benchmarks"], speed, refused, seen)
-    seen.clear()
+    accuracy = AccuracyRows()
     for path in accuracy_files:
         document = read_json(path, "accuracy")
-        _check_same_run(path, "$.context", document["context"], reference, came_from)
-        for index, cell in enumerate(document["cells"]):
-            _add_accuracy_row(path, index, cell, accuracy, worst, seen)
+        same_run.check(path, "$.context", document["context"])
+        accuracy.add_file(path, document)
     if not speed or not accuracy:
         kind = "speed" if not speed else "accuracy"
         raise LoadError(f"{folder}: the {kind}-*.json hold no result")
     methods, scenes = _catalogue(folder / "methods.json")
+    judged, worst = accuracy.frames()
+    maps = folder / "maps.json"
     return Run(
         name=folder.resolve().name,
-        profile=str(reference["profile"]),
+        profile=same_run.profile,
         machine=_machine(machine_json),
         shards=tuple(shards),
         speed=pd.DataFrame(speed, columns=SPEED_COLUMNS),
         refused=pd.DataFrame(refused, columns=REFUSED_COLUMNS),
-        accuracy=pd.DataFrame(accuracy, columns=ACCURACY_COLUMNS),
-        worst=pd.DataFrame(worst, columns=WORST_COLUMNS),
+        accuracy=judged,
+        worst=worst,
         methods=methods,
         scenes=scenes,
+        maps=load_maps(maps, same_run) if maps.exists() else Maps(),
     )
-
-
-def _check_same_run(
-    path: Path,
-    field: str,
-    context: dict[str, Any],
-    reference: dict[str, Any],
-    came_from: dict[str, Path],
-) -> None:
-    """Refuses a file of another revision, seed or profile than the others."""
-    for key in ("revision", "dirty", "seed", "profile"):
-        expected = reference.setdefault(key, context[key])
-        first = came_from.setdefault(
-            key, path if key == "profile" else _first(came_from)
-        )
-        if context[key] != expected:
-            raise LoadError(
-                f"{path}: {field}.{key}: is {context[key]!r}, but {first.name} has "
-                f"{expected!r}: two runs are mixed in this folder"
-            )
-
-
-def _first(came_from: dict[str, Path]) -> Path:
-    return came_from["revision"]
-
-
-def _shard_name(path: Path) -> str:
-    return re.sub(r"\.json\Z", "", path.name)
 
 
 def _shard(name: str, context: dict[str, Any]) -> Shard:
@@ -124,24 +92,6 @@ def _shard(name: str, context: dict[str, Any]) -> Shard:
         steal_percent=float(context["steal_percent"]),
         load_average=float(context["load_average"]),
     )
-
-
-def _cell(path: Path, field: str, name: str) -> Cell:
-    try:
-        return parse_cell(name)
-    except CellNameError as error:
-        raise LoadError(f"{path}: {field}: {error}") from None
-
-
-def _cell_columns(cell: Cell) -> dict[str, Any]:
-    return {
-        "loop": cell.loop,
-        "scene": str(cell.scene),
-        "family": cell.scene.family,
-        "method": cell.method,
-        "scalar": cell.scalar,
-        "isa": cell.isa,
-    }
 
 
 def _add_speed_rows(
@@ -158,22 +108,24 @@ def _add_speed_rows(
         if row.get("run_type") == "aggregate":
             continue
         name = row["run_name"] if "run_name" in row else row["name"]
-        cell = _cell(path, f"{field}.name", str(name))
+        cell = fields.cell(path, f"{field}.name", str(name))
         if seen.setdefault(str(cell), path) != path:
             raise LoadError(
                 f"{path}: {field}.name: {cell} is already in {seen[str(cell)].name}"
             )
         row_columns = {
-            "shard": _shard_name(path),
+            "shard": fields.shard_name(path),
             "name": str(cell),
-            **_cell_columns(cell),
+            **fields.cell_columns(cell),
         }
         if row.get("error_occurred"):
             if str(cell) not in refused_here:
                 refused_here.add(str(cell))
                 refused.append({**row_columns, "reason": row["error_message"]})
             continue
-        repetition = _whole(path, f"{field}.repetition_index", row["repetition_index"])
+        repetition = fields.whole(
+            path, f"{field}.repetition_index", row["repetition_index"]
+        )
         if (str(cell), repetition) in repetitions:
             raise LoadError(
                 f"{path}: {field}.repetition_index: {repetition} of {cell} is there "
@@ -191,86 +143,6 @@ def _add_speed_rows(
                 "bytes_per_item": _double(path, f"{field}.bytes_per_item", row),
             }
         )
-
-
-def _add_accuracy_row(
-    path: Path,
-    index: int,
-    row: dict[str, Any],
-    accuracy: list[dict[str, Any]],
-    worst: list[dict[str, Any]],
-    seen: dict[str, Path],
-) -> None:
-    field = f"$.cells[{index}]"
-    cell = _cell(path, f"{field}.name", row["name"])
-    if str(cell) in seen:
-        raise LoadError(
-            f"{path}: {field}.name: {cell} is already in {seen[str(cell)].name}"
-        )
-    seen[str(cell)] = path
-    columns = _cell_columns(cell)
-    for key in ("loop", "scene", "method", "scalar", "isa"):
-        if row[key] != columns[key]:
-            raise LoadError(
-                f"{path}: {field}.{key}: is {row[key]!r}, but the name says "
-                f"{columns[key]!r}"
-            )
-    counts = {
-        key: _whole(path, f"{field}.{key}", row[key])
-        for key in ("points", "interior", "exterior", "boundary", "degenerate")
-    }
-    of = {
-        "false_outside": counts["interior"],
-        "false_inside": counts["exterior"] + counts["degenerate"],
-        "boundary_accepted": counts["boundary"],
-    }
-    shares: dict[str, int] = {}
-    for key, expected in of.items():
-        if row[key]["of"] != expected:
-            raise LoadError(
-                f"{path}: {field}.{key}.of: is {row[key]['of']}, but the cell has "
-                f"{expected} such points"
-            )
-        shares[key] = _whole(path, f"{field}.{key}.count", row[key]["count"])
-        if shares[key] > expected:
-            raise LoadError(
-                f"{path}: {field}.{key}.count: {shares[key]} of {expected} points"
-            )
-    distance = row["error_distance_ulps"] or {}
-    weights = row["weights"] or {}
-    accuracy.append(
-        {
-            "shard": _shard_name(path),
-            "name": str(cell),
-            **columns,
-            "boundary_rule": row["boundary_rule"],
-            "accepts": row["accepts"],
-            **counts,
-            **shares,
-            "smallest_ulps": distance.get("smallest"),
-            "largest_ulps": distance.get("largest"),
-            "weights_largest_ulps": weights.get("largest_ulps"),
-            "weights_mean_ulps": weights.get("mean_ulps"),
-            "weights_not_finite": weights.get("not_finite"),
-            "weights_points": weights.get("points"),
-        }
-    )
-    for answer in row["worst"]:
-        worst.append(
-            {
-                "name": str(cell),
-                **columns,
-                "kind": answer["kind"],
-                "distance_ulps": float(answer["distance_ulps"]),
-                **{key: " ".join(answer[key]) for key in ("a", "b", "c", "p")},
-            }
-        )
-
-
-def _whole(path: Path, field: str, value: float) -> int:
-    if value > _LARGEST_INTEGER:
-        raise LoadError(f"{path}: {field}: {value} is too large for a count")
-    return int(value)
 
 
 def _double(path: Path, field: str, row: dict[str, Any]) -> float:
@@ -317,9 +189,9 @@ def _catalogue(
     if not path.exists():
         return (), ()
     document = read_json(path, "methods")
-    fields = [field.name for field in dataclasses.fields(MethodEntry)]
+    known = [field.name for field in dataclasses.fields(MethodEntry)]
     methods = tuple(
-        MethodEntry(**{key: entry[key] for key in fields})
+        MethodEntry(**{key: entry[key] for key in known if key in entry})
         for entry in document["methods"]
     )
     return methods, tuple((s["name"], s["describes"]) for s in document["scenes"])

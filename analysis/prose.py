@@ -7,16 +7,16 @@ name, word of rank and verdict comes from the run's tables.
 from __future__ import annotations
 
 import tomllib
-from pathlib import Path
 from typing import Any
 
 import pandas as pd
 
 from analysis import columns, palette
 from analysis.cells import parse_scene
-from analysis.accuracy_charts import HARDNESSES, Hardness
+from analysis.hardness import HARDNESSES, Hardness
 from analysis.accuracy_tables import errors_along
 from analysis.exhibits import Column
+from analysis.failure_prose import METHODS_TEXT, failure_facts
 from analysis.noise import TOLERANCE
 from analysis.report import MAIN_LOOP, Report, short_revision
 from analysis.run import Machine
@@ -34,8 +34,6 @@ from analysis.wording import (
     spoken,
     times,
 )
-
-METHODS_TEXT = Path(__file__).resolve().parent.parent / "report" / "methods.toml"
 
 
 def facts(report: Report) -> dict[str, Any]:
@@ -71,8 +69,8 @@ def facts(report: Report) -> dict[str, Any]:
         "scaling": scaling(report),
         "autovec": autovec(report),
         "agreement": agreement(report),
-        "fma": fma(report),
         "shards": run.shards,
+        **failure_facts(report),
         "verdict_columns": [column.title for column in columns.VERDICTS],
         "verdict_rows": [
             [_with_note(column, row) for column in columns.VERDICTS]
@@ -238,38 +236,6 @@ def agreement(report: Report) -> dict[str, Any] | None:
         "apart_count": counted(len(apart), "group"),
         "methods": listed(sorted(apart["method"].unique(), key=palette.method_rank)),
     }
-
-
-def fma(report: Report) -> list[dict[str, str]]:
-    """For each method that also comes with multiply-add: what that changes."""
-    table = report.verdicts
-    if not len(table):
-        return []
-    rows = table.set_index("method")
-    found = []
-    for method in rows.index:
-        fused = f"{method}_fma"
-        if fused in rows.index:
-            unfused, other = rows.loc[method], rows.loc[fused]
-            found.append(
-                {
-                    "method": method,
-                    "fused": fused,
-                    "time": significant(other["ns"] / unfused["ns"]),
-                    "plain_errors": share(unfused["error_rate"]),
-                    "errors": share(other["error_rate"]),
-                    "inside": _change(unfused, other, "false_inside"),
-                    "outside": _change(unfused, other, "false_outside"),
-                }
-            )
-    return found
-
-
-def _change(plain: pd.Series, other: pd.Series, key: str) -> str:
-    before, after = plain[key], other[key]
-    if pd.isna(before) or pd.isna(after):
-        return "unknown"
-    return f"{int(before):,} → {int(after):,}".replace(",", "\u202f")
 
 
 def method_texts(report: Report) -> list[dict[str, Any]]:

@@ -10,6 +10,8 @@ from typing import Any
 
 import jsonschema
 
+from analysis.schema_check import Check, UnknownKeyword, compiled
+
 SCHEMAS = Path(__file__).resolve().parent.parent / "harness" / "schema"
 
 
@@ -36,10 +38,8 @@ def read_json(path: Path, schema: str) -> dict[str, Any]:
         ) from None
     except (ValueError, RecursionError) as error:
         raise LoadError(f"{path}: is not JSON that is usable: {error}") from None
-    problem = jsonschema.exceptions.best_match(_validator(schema).iter_errors(document))
-    if problem is not None:
-        field = problem.json_path + _whose(document, list(problem.absolute_path))
-        raise LoadError(f"{path}: {field}: {_shortened(problem.message)}")
+    if not _quick_check(schema)(document):
+        _refuse_by_field(path, schema, document)
     assert isinstance(document, dict)
     return document
 
@@ -48,6 +48,40 @@ def read_json(path: Path, schema: str) -> dict[str, Any]:
 def _validator(schema: str) -> Any:
     text = (SCHEMAS / f"{schema}.schema.json").read_text(encoding="utf-8")
     return jsonschema.Draft202012Validator(json.loads(text))
+
+
+@functools.cache
+def _quick_check(schema: str) -> Check:
+    """Whether a document fits, without saying where it does not."""
+    try:
+        return compiled(_validator(schema).schema)
+    except UnknownKeyword:  # slow, but no less strict
+        return lambda document: bool(_validator(schema).is_valid(document))
+
+
+def _refuse_by_field(path: Path, schema: str, document: Any) -> None:
+    """Raises the LoadError of a document that does not fit. Of a long list of
+    rows only the first that does not fit is looked at: jsonschema is slow.
+    """
+    shortened, place = document, None
+    if isinstance(document, dict):
+        for key, rows in document.items():
+            if not isinstance(rows, list):
+                continue
+            for index, row in enumerate(rows):
+                if not _quick_check(schema)({**document, key: [row]}):
+                    shortened, place = {**document, key: [row]}, (key, index)
+                    break
+    problem = jsonschema.exceptions.best_match(
+        _validator(schema).iter_errors(shortened)
+    )
+    if problem is None:
+        return
+    where = list(problem.absolute_path)
+    field = problem.json_path + _whose(shortened, where)
+    if place and where[:1] == [place[0]]:
+        field = field.replace(f"$.{place[0]}[0]", f"$.{place[0]}[{place[1]}]", 1)
+    raise LoadError(f"{path}: {field}: {_shortened(problem.message)}")
 
 
 def _refuse(constant: str) -> float:

@@ -8,26 +8,23 @@ import dataclasses
 
 import pandas as pd
 
-from analysis import accuracy_tables, columns, noise, tables
-from analysis.accuracy_charts import HARDNESSES, errors_along
+from analysis import accuracy_tables, columns, failure_exhibits, noise, tables
 from analysis.charts import fixed_against_fresh, loops, scaling
+from analysis.exact_tables import exact_errors, exact_speed
 from analysis.exhibits import Exhibits
+from analysis.failure_exhibits import LANE
+from analysis.flags_axis import flags_axis
 from analysis.hero_chart import hero
+from analysis.overview import overview
 from analysis.palette import method_rank
 from analysis.run import Run
 from analysis.verdicts import Advice, advise, verdicts
 from analysis.wording import listed
 
 # The page stays below its 5 MB whatever the profile; the CSV has every row.
-MOST_ROWS = 2500
-MOST_WORST = 60
+MOST_ROWS = 700
 
 MAIN_LOOP = "one_triangle"
-
-_LANE = (
-    " Marks in the grey lane made no error at all; the whisker above them ends at "
-    "the largest rate that this leaves possible."
-)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -43,6 +40,10 @@ class Report:
     isa: str | None  # the widest, of the main comparison
     scene: str | None
     accuracy_loop: str | None
+    overviews: dict[str, pd.DataFrame]  # scalar → its table
+    flags: pd.DataFrame
+    exact_errors: pd.DataFrame
+    exact_speed: pd.DataFrame
 
 
 def build(run: Run) -> Report:
@@ -65,9 +66,17 @@ def build(run: Run) -> Report:
             table,
             columns.VERDICTS,
         )
+    overviews = {scalar: overview(run.accuracy, scalar) for scalar in scalars}
+    flags = flags_axis(run.accuracy, run.speed, cells, run.methods, scalars)
+    promised = exact_errors(run.accuracy)
+    warned = {entry.key for entry in run.methods if entry.warning}
+    price = exact_speed(run.speed, cells, warned)
+    failure_exhibits.add_overview(exhibits, overviews)
+    failure_exhibits.add_flags(exhibits, flags)
     _add_scaling(exhibits, cells, scalars, footer)
-    _add_errors(exhibits, run, cells, scalars, footer)
-    _add_worst(exhibits, run)
+    failure_exhibits.add_errors(exhibits, run, scalars, footer)
+    failure_exhibits.add_pictures(exhibits, run, scalars, footer)
+    failure_exhibits.add_exact(exhibits, promised, price)
     _add_fixed(exhibits, run, cells, scalar, footer)
     _add_loops(exhibits, cells, scalar, footer)
     _add_grid_and_weights(exhibits, run, cells)
@@ -85,6 +94,10 @@ def build(run: Run) -> Report:
         isa=isa,
         scene=tables.reference_scene(cells, MAIN_LOOP),
         accuracy_loop=accuracy_tables.accuracy_loop(run.accuracy),
+        overviews=overviews,
+        flags=flags,
+        exact_errors=promised,
+        exact_speed=price,
     )
 
 
@@ -120,7 +133,7 @@ def _add_heroes(
                 f"Speed against error, {scalar}. Each mark is one method compiled for "
                 "one instruction set, at the median of its repetitions; whiskers are "
                 "95 % intervals. The black line is the frontier: nothing lies below "
-                "it and to its right." + _LANE * bool((marks["error_rate"] == 0).any()),
+                "it and to its right." + LANE * bool((marks["error_rate"] == 0).any()),
                 marks,
             )
 
@@ -149,48 +162,6 @@ def _without_scalar(cells: pd.DataFrame, shown: pd.DataFrame, scalar: str) -> st
     if not missing:
         return ""
     return f" Without a scalar row, and so not shown: {listed(missing)}."
-
-
-def _add_errors(
-    exhibits: Exhibits,
-    run: Run,
-    cells: pd.DataFrame,
-    scalars: list[str],
-    footer: str,
-) -> None:
-    for hardness in HARDNESSES:
-        parts: dict[str, pd.DataFrame] = {}
-        isa = tables.widest_isa(run.accuracy)
-        for scalar in scalars:
-            along = accuracy_tables.errors_along(
-                run.accuracy, hardness.family, hardness.key, scalar, str(isa)
-            )
-            if len(along):
-                parts[scalar] = along
-        if parts:
-            exhibits.figure(
-                errors_along(parts, hardness, str(isa), footer),
-                f"Error rate against {hardness.axis} ({isa}). Bands are Wilson "
-                "intervals."
-                + _LANE
-                * any((part["error_rate"] == 0).any() for part in parts.values()),
-                pd.concat(
-                    [part.assign(scalar=scalar) for scalar, part in parts.items()]
-                ),
-            )
-
-
-def _add_worst(exhibits: Exhibits, run: Run) -> None:
-    worst = accuracy_tables.worst_answers(run.worst)
-    if len(worst):
-        exhibits.table(
-            "worst",
-            "For each method and scalar, the wrong answers farthest from the boundary. "
-            "The coordinates can be given as they are to pitbench classify.",
-            worst,
-            columns.WORST,
-            MOST_WORST,
-        )
 
 
 def _add_fixed(

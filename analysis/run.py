@@ -7,6 +7,8 @@ from typing import Final
 
 import pandas as pd
 
+from analysis.maps import Maps
+
 CELL_COLUMNS: Final = ["loop", "scene", "family", "method", "scalar", "isa"]
 SPEED_COLUMNS: Final = ["shard", "name", *CELL_COLUMNS] + [
     "twin",
@@ -17,16 +19,37 @@ SPEED_COLUMNS: Final = ["shard", "name", *CELL_COLUMNS] + [
     "bytes_per_item",
 ]
 REFUSED_COLUMNS: Final = ["shard", "name", *CELL_COLUMNS, "reason"]
+# The ways in which answers fail; what is counted in a cell, of how many, is in
+# harness/schema/accuracy.schema.json.
+CLASSES: Final = [
+    "false_inside",
+    "false_outside",
+    "boundary_accepted",
+    "not_finite_accepted",
+    "reversed_winding",
+    "rotated_vertices",
+    "swapped_vertices",
+    "negated",
+    "scaled_by_power_of_two",
+    "hole",
+    "double_hit",
+]
 ACCURACY_COLUMNS: Final = (
     ["shard", "name", *CELL_COLUMNS]
     + ["boundary_rule", "accepts", "points", "interior", "exterior", "boundary"]
-    + ["degenerate", "false_outside", "false_inside", "boundary_accepted"]
-    + ["smallest_ulps", "largest_ulps"]
+    + ["degenerate", "not_finite", "smallest_ulps", "largest_ulps"]
     + [
         "weights_largest_ulps",
         "weights_mean_ulps",
         "weights_not_finite",
         "weights_points",
+        "weights_largest_forward_ulps",
+        "weights_mean_forward_ulps",
+    ]
+    + [
+        kind + part
+        for kind in CLASSES
+        for part in ("", "_of", "_low", "_high", "_smallest", "_largest")
     ]
 )
 WORST_COLUMNS: Final = [
@@ -34,6 +57,7 @@ WORST_COLUMNS: Final = [
     *CELL_COLUMNS,
     "kind",
     "distance_ulps",
+    "said",
     "a",
     "b",
     "c",
@@ -98,6 +122,7 @@ class MethodEntry:
     accepts: str
     fma: bool
     weights: bool
+    warning: str = ""  # why the method is kept only to show what it costs
 
 
 @dataclasses.dataclass(frozen=True)
@@ -105,8 +130,9 @@ class Run:
     """All results of one machine at one revision.
 
     speed: one row a repetition; refused: one row a cell that was not timed;
-    accuracy: one row a cell, the three shares as counts; worst: one row a
-    wrong answer. `scene` is the text, `family` its first word.
+    accuracy: one row a cell, each class of failure as a count, of how many and
+    its interval; worst: one row a failing input and its class (`kind`).
+    `scene` is the text, `family` its first word.
     """
 
     name: str
@@ -119,3 +145,4 @@ class Run:
     worst: pd.DataFrame
     methods: tuple[MethodEntry, ...]
     scenes: tuple[tuple[str, str], ...]  # (name, what it describes)
+    maps: Maps = Maps()

@@ -9,7 +9,7 @@ import dataclasses
 import pandas as pd
 
 from analysis.accuracy_tables import hardest, speed_against_error
-from analysis.accuracy_charts import HARDNESSES
+from analysis.hardness import HARDNESSES
 from analysis.palette import method_rank
 from analysis.stats import Interval, ratio_interval
 from analysis.tables import samples, widest_isa

@@ -67,6 +67,26 @@ def share_between(low: float, high: float) -> str:
     return f"{significant(1e6 * low)} to {significant(1e6 * high)} in a million"
 
 
+def short_share(value: float) -> str:
+    """A share in a narrow column: 12 %, 0.34 %, 56 ppm."""
+    if not math.isfinite(value):
+        return NONE
+    if value == 0:
+        return "0"
+    if value >= 0.001:
+        return f"{significant(100 * value, 2 if value < 0.995 else 3)}{JOIN}%"
+    return f"{significant(1e6 * value, 2)}{JOIN}ppm"
+
+
+def short_count(count: int) -> str:
+    """950 · 12 k · 3.4 M."""
+    for unit, size in (("G", 10**9), ("M", 10**6), ("k", 10**3)):
+        if count >= size:
+            digits = 3 if count >= 100 * size else 2
+            return f"{significant(count / size, digits)}{JOIN}{unit}"
+    return str(count)
+
+
 def times(value: float) -> str:
     return f"{significant(value)}{JOIN}×"
 

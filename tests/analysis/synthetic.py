@@ -16,6 +16,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from tests.analysis import synthetic_accuracy, synthetic_maps
+from tests.analysis.synthetic_methods import EVERYWHERE, METHODS, has_row
+
 REVISION = "5f17ce7ab1e0" + "0" * 28
 SEED = 20240607
 
@@ -28,33 +31,6 @@ ISA_SPEED = {
     "sse4": 4.7,
     "avx2": 11.0,
     "avx512": 26.0,
-}
-HAS_AUTOVEC = ("cross_product", "edge_function")
-
-
-@dataclasses.dataclass(frozen=True)
-class Invented:
-    """ns/point in scalar f32, wrong answers per point near an edge."""
-
-    ns: float
-    error: float
-    boundary: str = "closed"
-    accepts: str = "triangle"
-    weights: bool = False
-
-
-METHODS = {
-    "cross_product": Invented(1.9, 0.0357),
-    "cross_product_det": Invented(2.0, 0.0358),
-    "cross_product_det_fma": Invented(1.8, 0.0223),
-    "edge_function": Invented(1.6, 0.313),
-    "edge_function_fma": Invented(1.25, 0.216),
-    "barycentric_inverse": Invented(1.7, 0.382, weights=True),
-    "barycentric_determinant": Invented(2.2, 0.103, "half_open", weights=True),
-    "barycentric_determinant_closed": Invented(2.3, 0.1035, weights=True),
-    "uv_projection": Invented(2.6, 0.288, weights=True),
-    "cross_solve": Invented(3.1, 0.0, weights=True),
-    "cross_solve_published": Invented(4.4, 0.34, accepts="third_near_vertex_a"),
 }
 LOOPS = {"one_triangle": 1.0, "one_point": 1.5, "pairs": 1.9}
 
@@ -75,6 +51,7 @@ class Options:
     error_factor: tuple[tuple[str, float], ...] = ()
     repetitions: int = 9
     methods_json: bool = True
+    judged_isas: tuple[str, ...] | None = None  # by default the first and the last
 
 
 def write_run(folder: Path, options: Options = Options()) -> Path:
@@ -97,10 +74,14 @@ def documents(options: Options = Options()) -> dict[str, Any]:
             files[f"speed-{loop}-{scalar}.json"] = speed(options, loop, scalar)
     if not options.small:
         files["speed-grid-i32.json"] = speed(options, "grid", "i32")
-    for family in ["near_edge"] if options.small else list(ACCURACY):
+    for family in ["near_edge"] if options.small else synthetic_accuracy.SCENES:
         for scalar in options.scalars:
             name = f"accuracy-{family}-{scalar}.json"
             files[name] = accuracy(options, family, scalar)
+    context = accuracy(options, "corpus", "f32")["context"]
+    files["maps.json"] = synthetic_maps.document(
+        context, options.methods, options.scalars
+    )
     return files
 
 
@@ -155,6 +136,7 @@ def catalogue(options: Options) -> dict[str, Any]:
                 "accepts": METHODS[key].accepts,
                 "fma": key.endswith("_fma"),
                 "weights": METHODS[key].weights,
+                "warning": METHODS[key].warning,
             }
             for key in options.methods
         ],
@@ -251,13 +233,13 @@ def timed_cells(
     cells: list[tuple[str, float | None, float]] = []
     for key in options.methods:
         for isa in options.isas:
-            if isa.startswith("autovec") and key not in HAS_AUTOVEC:
+            if not has_row(key, scalar, isa):
                 continue
             ns = METHODS[key].ns * LOOPS[loop] * factors.get(key, 1.0)
             ns *= (1.0 if scalar == "f32" else 1.9) / ISA_SPEED[isa]
             tail = f"{key}/{scalar}/{isa}"
             scene = "uniform:hit=50:n=4096:sets="
-            for sets in ("fresh", "fixed"):
+            for sets in ("fresh", "fixed") if key in EVERYWHERE else ("fresh",):
                 branchy = 4.0 if sets == "fresh" and isa == "scalar" else 1.0
                 cells.append((f"{loop}/{scene}{sets}/{tail}", ns * branchy, 4096.0))
             if METHODS[key].weights and not isa.startswith("autovec"):
@@ -270,95 +252,33 @@ def timed_cells(
     cells.append((twin, base * options.twin_ratio, 4096.0))
     if scalar == "f64" and loop == "pairs":
         cells = [
-            (name, None if "uv_projection" in name else ns, items)
+            (name, None if "/uv_projection/" in name else ns, items)
             for name, ns, items in cells
         ]
     return cells
 
 
-ACCURACY = {
-    "uniform": [("uniform:hit=50:n=4096:sets=fresh", 0.0)],
-    "near_edge": [(f"near_edge:ulps={2**k}", 0.8**k / (1 + k)) for k in range(9)],
-    "needle": [(f"needle:aspect={e}", min(e / 20, 1.0)) for e in range(2, 17, 2)],
-    "offset": [(f"offset:ratio={e}", min(e / 12, 1.0)) for e in range(0, 13, 2)],
-}
-
-
 def accuracy(options: Options, family: str, scalar: str) -> dict[str, Any]:
-    chance = random.Random(f"{SEED} accuracy {family} {scalar}")
-    factors = dict(options.error_factor)
-    cells = []
-    for scene, hardness in ACCURACY[family]:
-        for key in options.methods:
-            rate = min(METHODS[key].error * hardness * factors.get(key, 1.0), 0.9)
-            if METHODS[key].accepts != "triangle":
-                rate = 0.66
-            inside = round(rate * 5000 * (0.9 + 0.2 * chance.random()))
-            cells += [
-                accuracy_cell(scene, key, scalar, isa, min(inside, 4800))
-                for isa in options.isas
-                if not isa.startswith("autovec") or key in HAS_AUTOVEC
-            ]
+    judged = options.judged_isas
+    if judged is None:
+        judged = tuple(dict.fromkeys([options.isas[0], options.isas[-1]]))
+    kernels = [
+        (key, isa)
+        for key in options.methods
+        for isa in judged
+        if has_row(key, scalar, isa)
+    ]
     return {
         "context": {
-            "schema": "pitbench-accuracy-1",
+            "schema": "pitbench-accuracy-2",
             "profile": options.profile,
             "filter": f"{family}.*/{scalar}/",
             "revision": REVISION,
             "dirty": False,
             "seed": SEED,
         },
-        "cells": cells,
-    }
-
-
-def accuracy_cell(
-    scene: str, key: str, scalar: str, isa: str, wrong: int
-) -> dict[str, Any]:
-    """A cell of 10 000 points; 80 of them on the boundary, 20 degenerate."""
-    share = {"low": 0.0, "high": 1.0}  # analysis computes its own intervals
-    closed = METHODS[key].boundary == "closed"
-    return {
-        "name": f"one_triangle/{scene}/{key}/{scalar}/{isa}",
-        "loop": "one_triangle",
-        "scene": scene,
-        "method": key,
-        "scalar": scalar,
-        "isa": isa,
-        "boundary_rule": METHODS[key].boundary,
-        "accepts": METHODS[key].accepts,
-        "points": 10000,
-        "interior": 4900,
-        "exterior": 5000,
-        "boundary": 80,
-        "degenerate": 20,
-        "false_outside": {"count": wrong // 3, "of": 4900, **share},
-        "false_inside": {"count": wrong - wrong // 3, "of": 5020, **share},
-        "boundary_accepted": {"count": 80 if closed else 40, "of": 80, **share},
-        "error_distance_ulps": {"smallest": 0.5, "largest": 9.5} if wrong else None,
-        "worst": (
-            [
-                {
-                    "kind": "false_inside",
-                    "distance_ulps": 9.5,
-                    "a": ["0x0p+0", "0x0p+0"],
-                    "b": ["0x1p+0", "0x0p+0"],
-                    "c": ["0x1p+0", "0x1p-13"],
-                    "p": ["0x1.8p-1", "0x1p-15"],
-                }
-            ]
-            if wrong
-            else []
-        ),
-        "weights": (
-            {
-                "largest_ulps": 812.5,
-                "mean_ulps": 0.7,
-                "not_finite": 0,
-                "points": 9980,
-            }
-            if METHODS[key].weights
-            else None
+        "cells": synthetic_accuracy.cells(
+            family, scalar, kernels, dict(options.error_factor), SEED
         ),
     }
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import dataclasses
 import json
 from collections.abc import Callable
 from pathlib import Path
@@ -17,6 +19,7 @@ from tests.analysis.synthetic import REVISION, documents, write_run
 
 SPEED = "speed-one_triangle-f32.json"
 ACCURACY = "accuracy-near_edge-f32.json"
+MAPS = "maps.json"
 
 
 def edit(path: Path, change: Callable[[Any], None]) -> None:
@@ -48,6 +51,63 @@ def test_nanoseconds_are_of_one_item(small_run: Path) -> None:
 def test_a_run_without_methods_json_is_loaded(small_run: Path) -> None:
     (small_run / "methods.json").unlink()
     assert load_run(small_run).methods == ()
+
+
+def test_each_class_of_failure_has_its_columns(small_run: Path) -> None:
+    cell = json.loads((small_run / ACCURACY).read_text())["cells"][0]
+    row = load_run(small_run).accuracy.set_index("name").loc[cell["name"]]
+    share = cell["classes"]["rotated_vertices"]
+    found = [row[f"rotated_vertices{end}"] for end in ("", "_of", "_low", "_high")]
+    assert found == [share[key] for key in ("count", "of", "low", "high")]
+    assert row["rotated_vertices_smallest"] == share["distance_ulps"]["smallest"]
+    assert row[["hole", "hole_of"]].isna().all()
+
+
+def test_the_worst_inputs_of_every_class_are_kept(small_run: Path) -> None:
+    cells = json.loads((small_run / ACCURACY).read_text())["cells"]
+    worst = load_run(small_run).worst
+    expected = sum(len(s["worst"]) for c in cells for s in c["classes"].values())
+    assert len(worst) == expected > 0
+    assert set(worst["kind"]) > {"false_inside", "false_outside"}
+    assert worst["b"].iloc[0] == "0x1p+0 0x0p+0"
+
+
+def test_a_worst_input_without_a_distance_has_none(small_run: Path) -> None:
+    def unknown(document: Any) -> None:
+        for cell in document["cells"]:
+            for share in cell["classes"].values():
+                for answer in share["worst"]:
+                    answer["distance_ulps"] = None
+
+    edit(small_run / ACCURACY, unknown)
+    assert load_run(small_run).worst["distance_ulps"].isna().all()
+
+
+def test_bits_of_maps_are_read_row_by_row_and_lowest_first(small_run: Path) -> None:
+    raw = bytearray(32 * 256)
+    raw[32 * 5 + 2] = 0b1000_0001
+
+    def one_row(document: Any) -> None:
+        document["ulp_maps"][0]["lower"] = base64.b64encode(raw).decode()
+
+    edit(small_run / MAPS, one_row)
+    lower = load_run(small_run).maps.ulp_maps[0].lower
+    assert [tuple(at) for at in zip(*lower.nonzero())] == [(5, 16), (5, 23)]
+
+
+def test_a_run_without_maps_has_none(small_run: Path) -> None:
+    (small_run / MAPS).unlink()
+    assert load_run(small_run).maps.ulp_maps == ()
+
+
+def test_a_warning_is_read(small_run: Path) -> None:
+    def warn(document: Any) -> None:
+        document["methods"][0]["warning"] = "breaks on NaN"
+        del document["methods"][1]["warning"]
+
+    edit(small_run / "methods.json", warn)
+    said = [entry.warning for entry in load_run(small_run).methods]
+    assert said == ["breaks on NaN", ""]
 
 
 def test_an_aggregate_row_is_no_repetition(small_run: Path) -> None:
@@ -97,15 +157,42 @@ BAD = [
     (SPEED, set_context("clock_after_ghz", 0), "pitbench.clock_after_ghz"),
     (SPEED, lambda d: d["benchmarks"].append(d["benchmarks"][0]), "is there twice"),
     (ACCURACY, set_cell("method", "edge_function_fma"), "cells[0].method"),
-    (ACCURACY, set_cell("interior", 4901), "cells[0].false_outside.of"),
+    (ACCURACY, set_cell("interior", 4901), "cells[0].classes.false_outside.of"),
     (ACCURACY, set_cell("boundary_rule", "shut"), "cells[0].boundary_rule"),
     (ACCURACY, set_cell("surprise", 1), "surprise"),
     (ACCURACY, lambda d: d["cells"].append(d["cells"][0]), "already in"),
     (
         ACCURACY,
-        lambda d: d["cells"][0]["false_inside"].update(count=5021),
-        "cells[0].false_inside.count",
+        lambda d: d["cells"][0]["classes"]["false_inside"].update(count=5021),
+        "cells[0].classes.false_inside.count",
     ),
+    (
+        ACCURACY,
+        lambda d: d["cells"][30]["classes"]["negated"].pop("low"),
+        "cells[30].classes.negated (one_triangle/",
+    ),
+    (
+        ACCURACY,
+        lambda d: d["cells"][0]["classes"].update(vanished={}),
+        "'vanished' was unexpected",
+    ),
+    (
+        ACCURACY,
+        lambda d: d["context"].update(schema="pitbench-accuracy-1"),
+        "$.context.schema",
+    ),
+    (MAPS, lambda d: d["ulp_maps"][1].pop("upper"), "$.ulp_maps[1]"),
+    (
+        MAPS,
+        lambda d: d["ulp_maps"][1].update(lower="AAAA"),
+        "$.ulp_maps[1].lower: has 3 bytes, not 8192",
+    ),
+    (
+        MAPS,
+        lambda d: d["ulp_maps"][0].update(upper="AAA"),
+        "$.ulp_maps[0].upper: is not base64",
+    ),
+    (MAPS, lambda d: d["ulp_maps"][0].update(height=8), "$.ulp_maps[0].height"),
     ("machine.json", lambda d: d.pop("seed"), "'seed' is a required"),
     ("machine.json", lambda d: d["cpu"].update(cores=0), "$.cpu.cores"),
     ("machine.json", lambda d: d.update(surprise=1), "surprise"),
@@ -124,8 +211,28 @@ def test_a_file_that_does_not_fit_is_refused_by_file_and_field(
     assert says in str(error.value)
 
 
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        ({"inside": ""}, "$.gradients[0].inside: has 0 bytes"),
+        ({"width": 0, "weights": ""}, "$.gradients[0].width: 0 by 96 is no picture"),
+        ({"weights": "AAAA"}, "$.gradients[0].weights: has 3 bytes"),
+        ({"a": ["0x1p+9999", "0x1p+0"]}, "$.gradients[0].a: 0x1p+9999 is no double"),
+    ],
+)
+def test_a_gradient_that_does_not_fit_is_refused(
+    tmp_path: Path, change: dict[str, Any], says: str
+) -> None:
+    weighted = dataclasses.replace(TWO_METHODS, methods=("barycentric_inverse",))
+    folder = write_run(tmp_path / "run", weighted)
+    edit(folder / MAPS, lambda d: d["gradients"][0].update(change))
+    with pytest.raises(LoadError) as error:
+        load_run(folder)
+    assert f"{folder / MAPS}: {says}" in str(error.value)
+
+
 @pytest.mark.parametrize("key", ["revision", "profile", "dirty", "seed"])
-@pytest.mark.parametrize("name", [SPEED, ACCURACY])
+@pytest.mark.parametrize("name", [SPEED, ACCURACY, MAPS])
 def test_two_runs_in_one_folder_are_refused(
     small_run: Path, name: str, key: str
 ) -> None:
@@ -207,6 +314,8 @@ def places(document: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 
 
 FILES = documents(TWO_METHODS)
+# Pictures of one method are enough to be spoilt.
+FILES["maps.json"]["ulp_maps"] = FILES["maps.json"]["ulp_maps"][:1]
 PLACES = {name: places(document) for name, document in FILES.items()}
 
 

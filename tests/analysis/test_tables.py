@@ -64,15 +64,21 @@ def accuracy_frame(cells: dict[str, tuple[int, int, int, int]]) -> pd.DataFrame:
                 "exterior": exterior,
                 "boundary": 10,
                 "degenerate": 0,
+                "not_finite": 0,
                 "false_outside": false_outside,
                 "false_inside": false_inside,
                 "boundary_accepted": 10,
+                "false_outside_of": interior,
+                "false_inside_of": exterior,
+                "boundary_accepted_of": 10,
                 "smallest_ulps": 0.5 if false_outside + false_inside else None,
                 "largest_ulps": 2.0 if false_outside + false_inside else None,
                 "weights_largest_ulps": 8.0,
                 "weights_mean_ulps": 0.5,
                 "weights_not_finite": 1,
                 "weights_points": 100,
+                "weights_largest_forward_ulps": 16.0,
+                "weights_mean_forward_ulps": 0.25,
             }
         )
     return pd.DataFrame(rows, columns=ACCURACY_COLUMNS)
@@ -248,11 +254,23 @@ def test_weights_are_pooled_by_points() -> None:
 def test_a_wrong_answer_of_many_isas_is_one_row() -> None:
     worst = pd.DataFrame(
         [
-            ["x", "one_triangle", "s", "s", "m", "f32", isa, "false_inside", d, *"abcp"]
+            [
+                "x",
+                "one_triangle",
+                "s",
+                "s",
+                "m",
+                "f32",
+                isa,
+                "false_inside",
+                d,
+                "inside",
+                *"abcp",
+            ]
             for isa, d in (("scalar", 2.0), ("avx2", 2.0), ("avx512", 7.0))
         ],
         columns=["name", "loop", "scene", "family", "method", "scalar", "isa"]
-        + ["kind", "distance_ulps", "a", "b", "c", "p"],
+        + ["kind", "distance_ulps", "said", "a", "b", "c", "p"],
     )
     table = accuracy_tables.worst_answers(worst)
     assert list(table["isa"]) == ["avx512", "scalar, avx2"]

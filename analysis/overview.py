@@ -1,0 +1,138 @@
+"""The table on one page: what each method gets wrong, class by class."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import pandas as pd
+
+from analysis.accuracy_tables import accuracy_loop
+from analysis.method_families import in_order
+from analysis.palette import is_autovec, isa_rank
+from analysis.stats import wilson
+
+# Families of scenes with wrong answers as a column: key, title.
+HARD_FAMILIES = (
+    ("near_edge", "near an edge"),
+    ("near_vertex", "near a vertex"),
+    ("needle", "needles"),
+    ("offset", "far away"),
+    ("scale", "tiny or huge"),
+    ("exponent_spread", "exponents spread"),
+)
+# Classes of failure pooled over all scenes that have them: key, title, classes.
+POOLED_CLASSES = (
+    ("not_finite", "NaN or ∞ accepted", ("not_finite_accepted",)),
+    ("hole", "holes", ("hole",)),
+    ("double_hit", "double hits", ("double_hit",)),
+    ("order", "other order", ("rotated_vertices", "swapped_vertices")),
+    ("winding", "other winding", ("reversed_winding",)),
+    ("signs", "other signs", ("negated",)),
+    ("power_of_two", "other scale", ("scaled_by_power_of_two",)),
+)
+KEYS = (
+    [key for key, _ in HARD_FAMILIES]
+    + ["degenerate", "boundary"]
+    + [key for key, _, _ in POOLED_CLASSES]
+)
+
+
+def widest_of_each(accuracy: pd.DataFrame) -> dict[str, str]:
+    """Method → the widest ISA that it was judged on; a plain loop left to the
+    compiler only where the method has nothing else.
+    """
+    widest: dict[str, str] = {}
+    for method, rows in accuracy.groupby("method"):
+        isas = set(rows["isa"])
+        vectors = {isa for isa in isas if not is_autovec(isa)}
+        widest[method] = max(vectors or isas, key=isa_rank)
+    return widest
+
+
+def overview(accuracy: pd.DataFrame, scalar: str) -> pd.DataFrame:
+    """One row a method, on the widest ISA that it has; for each key of KEYS
+    the rate, its interval, the count and of how many (`of` 0: not measured).
+
+    `boundary` is how often the method breaks the rule that it declares: a
+    closed one that rejects, an open one that accepts. Half-open and top-left
+    ones accept a part of the boundary by their rule, so for them nothing is
+    counted. `boundary_accepted` is the share accepted, for all.
+    """
+    own = accuracy[accuracy["scalar"] == scalar]
+    if len(own):
+        own = own[own["loop"] == accuracy_loop(own)]
+    isas = widest_of_each(own)
+    rows = []
+    for method in in_order(isas):
+        cells = own[(own["method"] == method) & (own["isa"] == isas[method])]
+        row: dict[str, object] = {
+            "method": method,
+            "isa": isas[method],
+            "accepts": cells["accepts"].iloc[0],
+            "boundary_rule": cells["boundary_rule"].iloc[0],
+        }
+        for key, count, of in _counts(cells):
+            interval = wilson(count, of)
+            row |= {
+                key: interval.value,
+                f"{key}_low": interval.low,
+                f"{key}_high": interval.high,
+                f"{key}_count": count,
+                f"{key}_of": of,
+            }
+        rows.append(row)
+    columns = ["method", "isa", "accepts", "boundary_rule"]
+    columns += [
+        f"{key}{end}"
+        for key in [*KEYS, "boundary_accepted"]
+        for end in ("", "_low", "_high", "_count", "_of")
+    ]
+    return pd.DataFrame(rows, columns=columns)
+
+
+def _counts(cells: pd.DataFrame) -> list[tuple[str, int, int]]:
+    """(key, how many, of how many) of one method's cells."""
+    found = []
+    total: Callable[[pd.DataFrame, str], int] = lambda part, key: int(
+        part[key].astype(float).fillna(0).sum()
+    )
+    for family, _ in HARD_FAMILIES:
+        part = cells[cells["family"] == family]
+        wrong = total(part, "false_inside") + total(part, "false_outside")
+        asked = total(part, "false_inside_of") + total(part, "false_outside_of")
+        found.append((family, wrong, asked))
+    flat = cells[cells["family"] == "degenerate"]
+    found.append(
+        ("degenerate", total(flat, "false_inside"), total(flat, "false_inside_of"))
+    )
+    accepted = total(cells, "boundary_accepted")
+    of = total(cells, "boundary_accepted_of")
+    rule = cells["boundary_rule"].iloc[0]
+    broken = {"closed": of - accepted, "open": accepted}.get(rule, 0)
+    found.append(("boundary", broken, of if rule in ("closed", "open") else 0))
+    for key, _, kinds in POOLED_CLASSES:
+        count = sum(total(cells, kind) for kind in kinds)
+        found.append((key, count, sum(total(cells, f"{kind}_of") for kind in kinds)))
+    found.append(("boundary_accepted", accepted, of))
+    return found
+
+
+def failing_most(table: pd.DataFrame, key: str) -> tuple[str, float] | None:
+    """The method of the whole triangle with the largest rate, and the rate."""
+    known = table[(table["accepts"] == "triangle") & (table[f"{key}_of"] > 0)]
+    if not len(known):
+        return None
+    row = known.loc[known[key].idxmax()]
+    return (str(row["method"]), float(row[key]))
+
+
+def never_failing(table: pd.DataFrame) -> list[str]:
+    """The methods that fail in no column that was measured, and in some were."""
+    return [
+        str(row["method"])
+        for row in table.to_dict("records")
+        if row["accepts"] == "triangle"
+        and any(row[f"{key}_of"] for key in KEYS)
+        and all(math.isnan(row[key]) or row[key] == 0 for key in KEYS)
+    ]
