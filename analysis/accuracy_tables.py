@@ -7,7 +7,7 @@ import math
 import pandas as pd
 
 from analysis.cells import WEIGHTS_SUFFIX
-from analysis.palette import isa_rank, loop_rank
+from analysis.palette import is_autovec, isa_rank, loop_rank
 from analysis.stats import pareto_frontier, wilson
 from analysis.tables import CELL_KEYS, parameter, reference_cells, sort_cells
 
@@ -67,6 +67,18 @@ def accuracy_loop(accuracy: pd.DataFrame) -> str | None:
     return min(counts, key=lambda loop: (-counts[loop], loop_rank(loop)))
 
 
+def widest_of_each(accuracy: pd.DataFrame) -> dict[str, str]:
+    """Method → the widest ISA that it was judged on; a plain loop left to the
+    compiler only where the method has nothing else.
+    """
+    widest: dict[str, str] = {}
+    for method, rows in accuracy.groupby("method"):
+        isas = set(rows["isa"])
+        vectors = {isa for isa in isas if not is_autovec(isa)}
+        widest[method] = max(vectors or isas, key=isa_rank)
+    return widest
+
+
 def accuracy_cells(accuracy: pd.DataFrame) -> pd.DataFrame:
     """One row a cell, with its error rate."""
     return sort_cells(error_rates(accuracy, ["family", *CELL_KEYS]))
@@ -83,15 +95,19 @@ def errors_along(
     accuracy: pd.DataFrame, family: str, key: str, scalar: str, isa: str
 ) -> pd.DataFrame:
     """The error rate of each method against the parameter `key` of a family
-    of scenes (column `at`), for one scalar and ISA. A scene all of whose points
-    lie on the boundary has no error rate and is left out.
+    of scenes (column `at`), for one scalar, on the ISA or, where a method has
+    no row on it, on its widest. A scene all of whose points lie on the boundary
+    has no error rate and is left out.
     """
     chosen = accuracy[
         (accuracy["family"] == family)
         & (accuracy["scalar"] == scalar)
-        & (accuracy["isa"] == isa)
         & (accuracy["loop"] == accuracy_loop(accuracy))
     ]
+    on_isa = set(chosen[chosen["isa"] == isa]["method"])
+    own_isa = chosen["method"].map(widest_of_each(chosen))
+    own_isa = own_isa.mask(chosen["method"].isin(on_isa), isa)
+    chosen = chosen[chosen["isa"] == own_isa]
     chosen = chosen.assign(at=parameter(chosen, key)).dropna(subset=["at"])
     rates = error_rates(chosen, ["method", "at"]).dropna(subset=["error_rate"])
     return sort_cells(rates, ["method", "at"])

@@ -5,7 +5,6 @@ Titles carry the message of the chart and are computed from the same table.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -19,63 +18,46 @@ from analysis.chart_frame import (
     style,
     ticks_at,
 )
+from analysis.method_families import in_order
 from analysis.wording import listed, nanoseconds, significant, times
 
 
 def scaling(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
-    """How many times as fast as its scalar row each ISA is, a panel a method.
+    """How many times as fast as its scalar row each ISA is, a row a method.
 
     `table`: tables.reference_cells.
     """
-    methods = sorted(table["method"].unique(), key=palette.method_rank)
+    methods = in_order(table["method"])
     isas = sorted(table["isa"].unique(), key=palette.isa_rank)
-    # The fewest empty places, and of equals the wider.
-    most = min(4, len(methods))
-    columns = min((most, max(most - 1, 1)), key=lambda c: (-len(methods) % c, -c))
-    lines = math.ceil(len(methods) / columns)
-    top = float(table["times_scalar_high"].max())
+    rows = table.dropna(subset=["times_scalar"])
+    places = {method: -index for index, method in enumerate(methods)}
     with style():
-        height = 0.95 + lines * (0.62 + 0.19 * len(isas)) + 0.35
-        figure, grid = plt.subplots(
-            lines,
-            columns,
-            figsize=(10, height),
-            sharex=True,
-            sharey=True,
-            squeeze=False,
-        )
+        height = 1.95 + 0.225 * len(methods)
+        figure, axes = plt.subplots(figsize=(10, height))
         figure.subplots_adjust(
-            left=0.1,
-            right=0.985,
-            top=1 - 0.9 / height,
-            bottom=0.75 / height,
-            hspace=0.3,
-            wspace=0.08,
+            left=0.27, right=0.97, top=1 - 0.75 / height, bottom=1.05 / height
         )
-        places = {isa: -i for i, isa in enumerate(isas)}
-        for index, axes in enumerate(grid.ravel()):
-            if index >= len(methods):
-                axes.set_visible(False)
-                continue
-            rows = table[table["method"] == methods[index]].dropna(
-                subset=["times_scalar"]
+        for isa in isas:
+            _scaling_marks(axes, rows[rows["isa"] == isa], isa, places)
+        best = rows.loc[rows.groupby("method")["times_scalar"].idxmax()]
+        top = float(rows["times_scalar_high"].max())
+        for row in best.itertuples():
+            axes.text(
+                row.times_scalar_high + 0.015 * top,
+                places[row.method],
+                significant(row.times_scalar),
+                va="center_baseline",
+                fontsize=7.5,
             )
-            look = palette.method_style(methods[index])
-            _scaling_panel(axes, rows, places, look, top)
-            axes.set_title(
-                methods[index],
-                fontsize=8,
-                color=look.colour,
-                loc="left",
-                weight="bold",
-                pad=3,
-            )
-            if index + columns >= len(methods):
-                axes.tick_params(labelbottom=True)
-                axes.set_xlabel("× scalar   better →", fontsize=8.5)
-        grid[0][0].set_yticks([places[isa] for isa in isas], isas)
-        grid[0][0].set_xlim(0, top * 1.22)
-        widest = table[~table["isa"].map(palette.is_autovec)]
+        axes.set_xlim(0, top * 1.09)
+        axes.set_yticks(list(places.values()), methods, fontsize=8)
+        for tick, method in zip(axes.get_yticklabels(), methods):
+            tick.set_color(palette.method_style(method).colour)
+        axes.set_ylim(-len(methods) + 0.4, 0.6)
+        axes.tick_params(axis="y", length=0)
+        axes.set_xlabel(f"times as fast as the scalar row, {scalar}      better →")
+        isa_legend(figure, isas)
+        widest = rows[~rows["isa"].map(palette.is_autovec)]
         widest = widest.sort_values("times_scalar").groupby("method").tail(1)
         title = (
             f"By instruction set, {scalar}: the best rows are "
@@ -93,38 +75,31 @@ def _range(values: pd.Series) -> str:
     return low if low == high else f"{low} to {high}"
 
 
-def _scaling_panel(
-    axes: Any,
-    rows: pd.DataFrame,
-    places: dict[str, int],
-    look: palette.MethodStyle,
-    top: float,
+def _scaling_marks(
+    axes: Any, rows: pd.DataFrame, isa: str, places: dict[str, int]
 ) -> None:
-    axes.barh(
-        [places[isa] for isa in rows["isa"]],
-        rows["times_scalar"],
-        height=0.68,
-        color=[
-            "white" if palette.is_autovec(isa) else look.colour for isa in rows["isa"]
-        ],
-        edgecolor=look.colour,
-        linewidth=0.8,
-        xerr=[
-            rows["times_scalar"] - rows["times_scalar_low"],
-            rows["times_scalar_high"] - rows["times_scalar"],
-        ],
-        error_kw={"elinewidth": 0.9, "ecolor": palette.INK, "capsize": 1.5},
+    """The marks of one ISA with their intervals; hollow for a plain loop."""
+    looks = [palette.method_style(method).colour for method in rows["method"]]
+    heights = [places[method] for method in rows["method"]]
+    marker = palette.isa_marker(isa)
+    axes.hlines(
+        heights,
+        rows["times_scalar_low"],
+        rows["times_scalar_high"],
+        colors=palette.INK,
+        linewidth=0.9,
+        zorder=4,
     )
-    for row in rows.itertuples():
-        axes.text(
-            row.times_scalar_high + 0.02 * top,
-            places[row.isa],
-            significant(row.times_scalar),
-            va="center",
-            fontsize=7.5,
-        )
-    axes.grid(axis="y", visible=False)
-    axes.tick_params(axis="y", length=0)
+    axes.scatter(
+        rows["times_scalar"],
+        heights,
+        s=64 if marker == "*" else 26,
+        marker=marker,
+        color=["white"] * len(rows) if palette.is_autovec(isa) else looks,
+        edgecolors=looks,
+        linewidths=0.9,
+        zorder=3,
+    )
 
 
 def fixed_against_fresh(table: pd.DataFrame, scalar: str, footer: str) -> Chart:

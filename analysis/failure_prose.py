@@ -19,7 +19,6 @@ from analysis.wording import (
     counted,
     grouped,
     listed,
-    plain,
     share,
     short_share,
     significant,
@@ -118,8 +117,7 @@ def failures(report: Report) -> list[dict[str, Any]]:
 def _distance(ulps: float) -> str:
     if ulps != ulps:
         return ""
-    text = plain(ulps) if 1e-3 <= ulps < 1e6 else significant(ulps)
-    return f"{text} ulps from the boundary"
+    return f"{significant(ulps)} ulps from the boundary"
 
 
 def _answers(accuracy: pd.DataFrame, method: str) -> str:

@@ -30,7 +30,7 @@ FAMILIES: Final = (
     Family("Barycentric weights", ("barycentric_",)),
     Family("Projections and solutions", ("uv_projection", "cross_solve")),
     Family(
-        "Recipes called exact",
+        "Exact, and recipes called exact",
         ("promoted_", "double_double", "shewchuk_", "exact"),
     ),
     Family(

@@ -7,9 +7,8 @@ from collections.abc import Callable
 
 import pandas as pd
 
-from analysis.accuracy_tables import accuracy_loop
+from analysis.accuracy_tables import accuracy_loop, widest_of_each
 from analysis.method_families import in_order
-from analysis.palette import is_autovec, isa_rank
 from analysis.stats import wilson
 
 # Families of scenes with wrong answers as a column: key, title.
@@ -36,18 +35,6 @@ KEYS = (
     + ["degenerate", "boundary"]
     + [key for key, _, _ in POOLED_CLASSES]
 )
-
-
-def widest_of_each(accuracy: pd.DataFrame) -> dict[str, str]:
-    """Method → the widest ISA that it was judged on; a plain loop left to the
-    compiler only where the method has nothing else.
-    """
-    widest: dict[str, str] = {}
-    for method, rows in accuracy.groupby("method"):
-        isas = set(rows["isa"])
-        vectors = {isa for isa in isas if not is_autovec(isa)}
-        widest[method] = max(vectors or isas, key=isa_rank)
-    return widest
 
 
 def overview(accuracy: pd.DataFrame, scalar: str) -> pd.DataFrame:

@@ -13,13 +13,13 @@ import pandas as pd
 
 from analysis import columns, palette
 from analysis.cells import parse_scene
+from analysis.machine_prose import machine_rows
 from analysis.hardness import HARDNESSES, Hardness
 from analysis.accuracy_tables import errors_along
 from analysis.exhibits import Column
 from analysis.failure_prose import METHODS_TEXT, failure_facts
 from analysis.noise import TOLERANCE
 from analysis.report import MAIN_LOOP, Report, short_revision
-from analysis.run import Machine
 from analysis.tables import reference_cells, widest_isa
 from analysis.verdicts import WHOLE
 from analysis.wording import (
@@ -45,7 +45,7 @@ def facts(report: Report) -> dict[str, Any]:
         "revision": short_revision(run),
         "dirty": machine.dirty,
         "machine": machine,
-        "machine_rows": _machine_rows(machine),
+        "machine_rows": machine_rows(machine),
         "cells": counted(len(report.cells), "cell"),
         "judged": counted(len(run.accuracy), "cell"),
         "points_judged": counted(int(run.accuracy["points"].sum()), "answer"),
@@ -291,34 +291,3 @@ def _repetitions(report: Report) -> str:
 
 def _coverage(report: Report) -> str:
     return f"{100 * report.cells['coverage'].min():.1f} %"
-
-
-def _machine_rows(machine: Machine) -> list[tuple[str, str]]:
-    yes = {True: "yes", False: "no", None: "not told"}
-    virtual = "yes" if machine.virtual else "no"
-    if machine.hypervisor:
-        virtual += f" ({machine.hypervisor})"
-    caches = listed(
-        [
-            f"L{c.level} {c.type.lower()} {size_in_bytes(c.bytes)}"
-            + (f" for {c.shared_by} threads" if c.shared_by > 1 else "")
-            for c in machine.caches
-        ]
-    )
-    return [
-        ("CPU", machine.model),
-        ("Microcode", machine.microcode or "not told"),
-        ("Cores and threads", f"{machine.cores} and {machine.threads}"),
-        ("Simultaneous multithreading", yes[machine.smt]),
-        ("Frequency governor", machine.governor or "not told"),
-        ("Virtual machine", virtual),
-        ("Caches", caches or "not told"),
-        ("Memory", size_in_bytes(machine.memory_bytes)),
-        ("Instruction sets that run here", listed(machine.isas)),
-        ("Kernel", machine.kernel),
-        ("System", machine.distribution),
-        ("Compiler", machine.compiler),
-        ("Libraries", listed([f"{name} {v}" for name, v in machine.libraries])),
-        ("Revision", machine.revision + (", with changes" if machine.dirty else "")),
-        ("Seed", str(machine.seed)),
-    ]

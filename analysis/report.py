@@ -148,7 +148,7 @@ def _add_scaling(
             exhibits.figure(
                 scaling(rows, scalar, footer),
                 f"Speed by instruction set, {scalar}, over the scalar row of the same "
-                "method. Hollow bars are a plain loop that the compiler vectorised. "
+                "method. Hollow marks are a plain loop that the compiler vectorised. "
                 "Whiskers are 95 % intervals of the ratio."
                 + _without_scalar(cells, rows, scalar),
                 rows,

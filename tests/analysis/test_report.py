@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from analysis import failure_prose
 from analysis.load import load_run
 from analysis.page import render, write_page
 from analysis.report import Report, build
@@ -124,6 +125,11 @@ def test_all_sections_are_in_the_page_of_a_full_run(page: Path) -> None:
     keys = ["hero-f32", "hero-f64", "verdicts", "scaling-f32", "scaling-f64"]
     keys += ["errors-near_edge", "errors-needle", "errors-offset", "worst"]
     keys += ["fixed-f32", "fixed", "loops-f32", "loops", "grid", "weights"]
+    keys += ["overview-f32", "overview-f64", "flags_axis", "heat-needle"]
+    keys += ["heat-offset", "heat-near_vertex", "heat-scale"]
+    keys += ["heat-exponent_spread", "ulps-f32", "ulps-f64", "claims-f32"]
+    keys += ["claims-f64", "gradients-f32", "two_truths", "exact_errors"]
+    keys += ["exact_speed", "fails-exact", "fails-edge_function"]
     keys += ["weights_cost", "cells", "accuracy", "refused", "shards", "flags"]
     assert [key for key in keys if f'id="{key}"' not in text] == []
 
@@ -187,6 +193,67 @@ def test_a_run_with_little_in_it_still_has_a_page(
     options = dataclasses.replace(TWO_METHODS, **change)  # type: ignore[arg-type]
     report = build(load_run(write_run(tmp_path / "a", options)))
     assert write_page(report, tmp_path / "out").stat().st_size > 10_000
+
+
+def test_no_failure_is_shown_as_none_of_so_many(page: Path) -> None:
+    text = page.read_text()
+    row = text[text.index('id="overview-f32-table"') :]
+    row = row[row.index(">exact<") :]
+    assert re.search(r'class="rate-none" title="0 of [^"]*">0<small>of \d', row)
+
+
+def test_every_method_has_its_failure_in_words_if_there_are_some(
+    report: Report, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    texts = tmp_path / "methods.toml"
+    texts.write_text("[edge_function]\nfails = 'The line C grows < far away.'\n")
+    monkeypatch.setattr(failure_prose, "METHODS_TEXT", texts)
+    words = {entry["key"]: entry for entry in failure_prose.failures(report)}
+    assert words["edge_function"]["fails"] == "The line C grows < far away."
+    assert words["cross_product"]["fails"] == ""
+    assert words["cross_product"]["example"].corners[3][2] == "(2, 1)"
+    assert words["exact"]["example"] is None
+    page = render(report, "index.html.j2")
+    assert "The line C grows &lt; far away." in page
+    assert page.count("No failing input in") == sum(
+        entry["example"] is None for entry in words.values()
+    )
+
+
+def test_a_warning_stands_beside_its_method(page: Path) -> None:
+    text = html.unescape(page.read_text())
+    assert "cross_product_fast_math ⚠" in text
+    assert "A warning, not an offer:</strong> may call NaN inside" in text
+
+
+def test_exact_answers_are_praised_only_if_they_are_exact(report: Report) -> None:
+    kept = html.unescape(render(report, "index.html.j2"))
+    assert "none was wrong, which leaves an error rate of at most" in kept
+    broken = dataclasses.replace(
+        report, exact_errors=report.exact_errors.assign(wrong=1)
+    )
+    said = html.unescape(render(broken, "index.html.j2"))
+    assert "the promise is broken" in said and "none was wrong" not in said
+
+
+def test_a_hole_that_a_flag_tears_is_told_in_a_million(report: Report) -> None:
+    table = report.flags.assign(base_hole_count=1)
+    words = failure_prose.flags_words(dataclasses.replace(report, flags=table))
+    assert words is not None and words["torn"] == []
+    own = (table["method"] == "edge_function_fma") & (table["scalar"] == report.scalar)
+    table.loc[own, ["base_hole_count", "hole_count", "hole"]] = [0, 5, 2.5e-4]
+    words = failure_prose.flags_words(dataclasses.replace(report, flags=table))
+    assert words is not None
+    assert [(t["method"], t["holes"]) for t in words["torn"]] == [
+        ("edge_function", "250")
+    ]
+
+
+def test_a_run_without_maps_has_no_pictures_of_them(tmp_path: Path) -> None:
+    folder = write_run(tmp_path / "a", TWO_METHODS)
+    (folder / "maps.json").unlink()
+    page = render(build(load_run(folder)), "index.html.j2")
+    assert 'id="pictures"' not in page and 'href="#pictures"' not in page
 
 
 def test_markup_in_the_data_is_shown_and_not_obeyed(tmp_path: Path) -> None:

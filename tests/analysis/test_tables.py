@@ -215,6 +215,30 @@ def test_errors_along_a_parameter_are_in_its_order() -> None:
     assert list(edge["error_rate"]) == [0.1, pytest.approx(20 / 600)]
 
 
+def test_a_method_without_a_row_on_the_isa_is_shown_on_its_widest() -> None:
+    cells = {
+        name("edge_function", "avx2", "near_edge:ulps=1"): (100, 10, 300, 30),
+        name("edge_function", "avx512", "near_edge:ulps=1"): (100, 90, 300, 0),
+        name("loop_only", "autovec_v2", "near_edge:ulps=1"): (100, 1, 300, 0),
+        name("loop_only", "autovec_v4", "near_edge:ulps=1"): (100, 0, 300, 2),
+    }
+    along = accuracy_tables.errors_along(
+        accuracy_frame(cells), "near_edge", "ulps", "f32", "avx2"
+    )
+    assert dict(zip(along["method"], along["wrong"])) == {
+        "edge_function": 40,
+        "loop_only": 2,
+    }
+
+
+def test_a_scene_on_the_boundary_only_has_no_error_rate() -> None:
+    cells = {name("a", "avx2", "near_edge:ulps=0"): (0, 0, 0, 0)}
+    along = accuracy_tables.errors_along(
+        accuracy_frame(cells), "near_edge", "ulps", "f32", "avx2"
+    )
+    assert len(along) == 0
+
+
 def test_speed_against_error_joins_the_two_and_draws_the_frontier() -> None:
     marks = accuracy_tables.speed_against_error(
         tables.speed_cells(SPEED), accuracy_frame(HARD), "f32"
@@ -249,6 +273,7 @@ def test_weights_are_pooled_by_points() -> None:
     assert (row["largest_ulps"], row["points"]) == (32.0, 400)
     assert row["mean_ulps"] == (2.0 * 300 + 0.5 * 100) / 400
     assert row["not_finite"] == 2
+    assert (row["largest_forward_ulps"], row["mean_forward_ulps"]) == (16.0, 0.25)
 
 
 def test_a_wrong_answer_of_many_isas_is_one_row() -> None:
