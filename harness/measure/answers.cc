@@ -42,12 +42,11 @@ template <class T>
 bool WithinSnapDistance(const Triangle<T>& t, const Point<T>& p,
                         double distance) {
   const auto wide = [](T x) { return static_cast<double>(x); };
-  const auto [left, right] =
-      std::minmax({wide(t.a.x), wide(t.b.x), wide(t.c.x)});
-  const auto [low, high] = std::minmax({wide(t.a.y), wide(t.b.y), wide(t.c.y)});
+  const auto x = std::minmax({wide(t.a.x), wide(t.b.x), wide(t.c.x)});
+  const auto y = std::minmax({wide(t.a.y), wide(t.b.y), wide(t.c.y)});
   const auto on_box = [&](const Point<T>& q) -> Point<double> {
-    return {(wide(q.x) - left) / (right - left),
-            (wide(q.y) - low) / (high - low)};
+    return {(wide(q.x) - x.first) / (x.second - x.first),
+            (wide(q.y) - y.first) / (y.second - y.first)};
   };
   const Point<double> v[] = {on_box(t.a), on_box(t.b), on_box(t.c)};
   const Point<double> q = on_box(p);
