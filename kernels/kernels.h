@@ -70,6 +70,9 @@ struct Method {
   // Accepts points outside as well, while no cross product of an edge with the
   // way from it to the point is further below 0 than this.
   double tolerance = 0;
+  // Answers may be wrong within this distance of the boundary, along x and
+  // along y, in sides of the triangle's bounding box.
+  double snap_distance = 0;
   // What is wrong with the method, where it is kept as a warning and may break
   // the contract; empty for all others.
   std::string_view warning = "";

@@ -32,6 +32,35 @@ double BelowZero(const Triangle<T>& t, const Point<T>& p) {
                   (wide(t.b.y) - wide(t.a.y)) * (wide(t.c.x) - wide(t.a.x)));
 }
 
+// Whether the point is within `distance` of the triangle's boundary, along x
+// and along y, in sides of the bounding box. (A little more: by Pythagoras.)
+template <class T>
+bool WithinSnapDistance(const Triangle<T>& t, const Point<T>& p,
+                        double distance) {
+  const auto wide = [](T x) { return static_cast<double>(x); };
+  const auto x = std::minmax({wide(t.a.x), wide(t.b.x), wide(t.c.x)});
+  const auto y = std::minmax({wide(t.a.y), wide(t.b.y), wide(t.c.y)});
+  const auto on_box = [&](const Point<T>& q) -> Point<double> {
+    return {(wide(q.x) - x.first) / (x.second - x.first),
+            (wide(q.y) - y.first) / (y.second - y.first)};
+  };
+  const Point<double> v[] = {on_box(t.a), on_box(t.b), on_box(t.c)};
+  const Point<double> q = on_box(p);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const Point<double>& from = v[k];
+    const Point<double> edge{v[(k + 1) % 3].x - from.x,
+                             v[(k + 1) % 3].y - from.y};
+    const Point<double> way{q.x - from.x, q.y - from.y};
+    const double along = std::clamp(
+        (way.x * edge.x + way.y * edge.y) / (edge.x * edge.x + edge.y * edge.y),
+        0.0, 1.0);
+    nearest = std::min(
+        nearest, std::hypot(way.x - along * edge.x, way.y - along * edge.y));
+  }
+  return nearest <= 1.415 * distance;
+}
+
 template <class T>
 std::string Describe(const Scene<T>& scene, const Wrong& wrong) {
   const Call& call = scene.calls[wrong.call];
@@ -66,6 +95,11 @@ bool Declared(const Kernel& kernel, const Scene<T>& scene, const Wrong& wrong) {
   if (kernel.method.tolerance > 0 && wrong.said_inside &&
       Classify(t, p) == Position::kOutside &&
       BelowZero(t, p) <= 2 * kernel.method.tolerance) {
+    return true;
+  }
+  const double snap = kernel.method.snap_distance;
+  if (snap > 0 && Classify(t, p) != Position::kDegenerate &&
+      WithinSnapDistance(t, p, snap)) {
     return true;
   }
   return RoundingMayDecide(t, p, kSlack);
