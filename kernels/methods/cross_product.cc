@@ -4,7 +4,7 @@
 //   ex·(y − vy) ≥ ey·(x − vx) for each edge e from its vertex v
 //
 // Set-up: 3 edges. Per point: 6 subtractions, 6 multiplications, 3 compares,
-// and one multiply-add that makes an infinite y NaN.
+// and an addition and a multiply-add that make an infinite coordinate NaN.
 // Boundary: closed. Winding: fixed by the set-up. Degenerate: contains nothing.
 // Fails: x − vx rounds, so a point within a few ulps of an edge may fall on
 // its other side, and two neighbours, which start their common edge at
@@ -33,10 +33,12 @@ class CrossProduct {
     const auto dy0 = Sub(y, ab.vy.In(e));
     const auto dy1 = Sub(y, bc.vy.In(e));
     const auto dy2 = Sub(y, ca.vy.In(e));
-    // Two infinite products compare as equal, so a point whose coordinates are
-    // both infinite could pass. 0·dy is NaN for it, and 0 for every other.
-    const auto left0 = MulAdd(Zero(e), dy0, Mul(ab.ex.In(e), dy0));
-    const auto in0 = Ge(left0, Mul(ab.ey.In(e), Sub(x, ab.vx.In(e))));
+    const auto dx0 = Sub(x, ab.vx.In(e));
+    // Two infinite products compare as equal, so a point with an infinite
+    // coordinate could pass where the other product overflows or is infinite as
+    // well. 0·(dx + dy) is NaN for it, and else 0 (or NaN by overflow).
+    const auto left0 = MulAdd(Zero(e), Add(dx0, dy0), Mul(ab.ex.In(e), dy0));
+    const auto in0 = Ge(left0, Mul(ab.ey.In(e), dx0));
     const auto in1 = AndGe(in0, Mul(bc.ex.In(e), dy1),
                            Mul(bc.ey.In(e), Sub(x, bc.vx.In(e))));
     return AndGe(in1, Mul(ca.ex.In(e), dy2),
