@@ -133,11 +133,9 @@ TEST(NeighboursTest, FastMathContractsWhatIsWrittenWithoutFma) {
       }
     }
   }
-#if defined(__x86_64__)
   if (RunsHere(Isa::kAutovecV3)) {
     EXPECT_GT(lost, 50u);
   }
-#endif
 }
 
 }  // namespace

@@ -12,9 +12,9 @@
 // Right where the differences v − P are exact (all coordinates multiples of one
 // power of two, of at most 23 bits in f32, 52 in f64), in the range of
 // shewchuk_adaptive.
-// Fails: elsewhere the differences round, as in cross_product_centered. It
-// knows no neighbours either: both see the same rounded differences, so there
-// are no holes.
+// Fails: elsewhere the differences round, as in cross_product_centered, and the
+// sign is that of a slightly different triangle. Both neighbours see the same
+// rounded differences: no holes.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/cross_product_kahan.cc"
