@@ -16,13 +16,14 @@ namespace pitbench {
 // steps). x must be finite, and so must the result. −0 and +0 are one number.
 template <class T>
 T Step(T x, std::int64_t steps) {
-  using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-  constexpr Bits kLow = std::numeric_limits<Bits>::min();
+  using Ordered =
+      std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+  constexpr Ordered kLow = std::numeric_limits<Ordered>::min();
   // Bits of negative numbers count downwards: map both signs on one scale.
-  Bits ordered = std::bit_cast<Bits>(x);
-  if (ordered < 0) ordered = static_cast<Bits>(kLow - ordered);
-  ordered = static_cast<Bits>(ordered + static_cast<Bits>(steps));
-  if (ordered < 0) ordered = static_cast<Bits>(kLow - ordered);
+  Ordered ordered = std::bit_cast<Ordered>(x);
+  if (ordered < 0) ordered = static_cast<Ordered>(kLow - ordered);
+  ordered = static_cast<Ordered>(ordered + static_cast<Ordered>(steps));
+  if (ordered < 0) ordered = static_cast<Ordered>(kLow - ordered);
   return std::bit_cast<T>(ordered);
 }
 
