@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
@@ -50,18 +51,9 @@ std::multimap<std::pair<std::string, std::string>, Row> ReadRows() {
 }
 
 // Rows kept as a warning need none: what they get wrong is no secret.
-template <class M>
-bool IsWarning(const M& method) {
-  if constexpr (requires { method.warning; }) {
-    return !method.warning.empty();
-  } else {
-    return false;
-  }
-}
-
 bool NeedsARow(const Kernel& kernel) {
-  return kernel.scalar != Scalar::kI32 && !IsWarning(kernel.method) &&
-         !kernel.method.key.starts_with("exact");
+  return kernel.scalar != Scalar::kI32 && kernel.method.warning.empty() &&
+         !IsExact(kernel);
 }
 
 // A method without a row: run `pitbench hunt --method … --scalar … --seconds 5`
@@ -126,6 +118,37 @@ TEST(WorstInputsTest, EveryKernelStillGivesTheAnswer) {
     } else {
       CheckRow<double>(row);
     }
+  }
+}
+
+// A reader of the method's file sees its worst f32 input there.
+TEST(WorstInputsTest, TheMethodFilesQuoteTheirs) {
+  std::string text;
+  for (const auto& file : std::filesystem::directory_iterator(
+           PITBENCH_TESTS_DIR "/../kernels/methods")) {
+    std::ostringstream all;
+    all << std::ifstream(file.path()).rdbuf();
+    text += all.str();
+  }
+  for (const auto& [key, row] : ReadRows()) {
+    if (key.second != "f32") continue;
+    if (row[kSaid] == "none_found") {
+      EXPECT_NE(text.find("//   " + key.first + ": none found"),
+                std::string::npos)
+          << key.first;
+      continue;
+    }
+    const auto point = [&row](std::size_t k) {
+      return "(" + row[kFirstCoordinate + k] + ", " +
+             row[kFirstCoordinate + k + 1] + ")";
+    };
+    const std::string quoted = ":\n//     " + point(0) + " " + point(2) +
+                               "\n//     " + point(4) + " " + point(6) + "\n";
+    const std::size_t title =
+        text.find("//   " + key.first + ", said " + row[kSaid]);
+    ASSERT_NE(title, std::string::npos) << key.first;
+    const std::size_t end = text.find(":\n", title);
+    EXPECT_EQ(text.substr(end, quoted.size()), quoted) << key.first;
   }
 }
 

@@ -11,6 +11,19 @@
 // form keeps it. Winding: fixed by the set-up. Degenerate: contains nothing.
 // Fails: as cross_product_det; on BC with the rounding of three terms instead
 // of one.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   barycentric_determinant, said inside, is 1.52e+07 ulps outside:
+//     (-0x1.0c3434p-1, -0x1.b60948p-1) (0x1.3d54dp-4, -0x1.aef314p-2)
+//     (0x1.ed903p-4, -0x1.8f1984p-2) (0x1.b48db6p-1, 0x1.1dc018p-3)
+//   barycentric_determinant_closed, said inside, is 1.79e+07 ulps outside:
+//     (-0x1.f8664cp-2, 0x1.b4c6eap-1) (0x1.b286bp-4, 0x1.a643p-7)
+//     (0x1.4f148p-5, 0x1.ab7cp-4) (0x1.7302ecp-1, -0x1.b5de58p-1)
+//   barycentric_determinant_fma, said inside, is 1.12e+07 ulps outside:
+//     (0x1.cb026ep-1, -0x1.5e809ap-1) (0x1.0e7d3p-4, 0x1.541e7p-4)
+//     (-0x1.ef70e4p-4, 0x1.06051p-2) (-0x1.3928dcp-1, 0x1.6b399ap-1)
+//   barycentric_determinant_closed_fma, said inside, is 1.12e+07 ulps outside:
+//     (0x1.cb026ep-1, -0x1.5e809ap-1) (0x1.0e7d3p-4, 0x1.541e7p-4)
+//     (-0x1.ef70e4p-4, 0x1.06051p-2) (-0x1.3928dcp-1, 0x1.6b399ap-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/barycentric_determinant.cc"

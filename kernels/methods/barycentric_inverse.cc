@@ -13,6 +13,13 @@
 // Fails: the determinant is formed from the coordinates themselves, not from
 // their differences, so it loses everything far from the origin: f32
 // (4096, 4096) (4096.5, 4096) (4096, 4096.5) has determinant 0.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   barycentric_inverse, said inside, is 3.36e+07 ulps outside:
+//     (0x1.f6102ap-1, -0x1.af5416p-2) (0x1.f61014p-1, -0x1.af541ep-2)
+//     (0x1.f6100ap-1, -0x1.af5422p-2) (-0x1.f8p-1, -0x1.9cp-1)
+//   barycentric_inverse_fma, said inside, is 3.39e+07 ulps outside:
+//     (-0x1.e9449ep-1, 0x1.c417d2p-1) (-0x1.e94496p-1, 0x1.c417dp-1)
+//     (-0x1.e9449cp-1, 0x1.c417d2p-1) (0x1.ffcp-1, 0x1.8p-2)
 
 #include <Eigen/Core>
 #include <Eigen/LU>

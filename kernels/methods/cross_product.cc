@@ -10,6 +10,10 @@
 // its other side, and two neighbours, which start their common edge at
 // different vertices, may both lose it. Comparing the rounded products is
 // proof against contraction to FMA.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   cross_product, said inside, is 1.5e+07 ulps outside:
+//     (-0x1.b92e6cp-1, -0x1.cb0ddp-1) (0x1.cc69c8p-3, 0x1.7d37p-7)
+//     (-0x1.0b28p-1, -0x1.399524p-1) (0x1.d27836p-1, 0x1.2babdp-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/cross_product.cc"

@@ -13,6 +13,16 @@
 // two neighbours compute the same magnitudes with opposite signs, so closed
 // neighbours leave no hole and top-left ones share no point. With FMA they
 // round different products, and both is lost.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   cross_product_centered, said inside, is 4.62e+07 ulps outside:
+//     (0x1.ea0d58p-1, -0x1.e1ad7p-1) (0x1.ea0d5p-1, -0x1.e1ad68p-1)
+//     (0x1.ea0d5p-1, -0x1.e1ad66p-1) (-0x1.fffp-1, 0x1.ff8p-1)
+//   cross_product_centered_top_left, said inside, is 3.85e+07 ulps outside:
+//     (0x1.5b7746p-1, -0x1.30d9a6p-1) (0x1.5b7748p-1, -0x1.30d9a8p-1)
+//     (0x1.5b7748p-1, -0x1.30d9a4p-1) (-0x1.f5cb5cp-1, 0x1.fa5b3cp-1)
+//   cross_product_centered_fma, said inside, is 3.46e+07 ulps outside:
+//     (0x1.0df9dp-1, -0x1.86ca6p-2) (0x1.0df9d4p-1, -0x1.86ca68p-2)
+//     (0x1.0df9dp-1, -0x1.86ca64p-2) (-0x1.fff7fcp-1, 0x1.ffffd8p-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/cross_product_centered.cc"

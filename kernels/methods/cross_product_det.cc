@@ -9,6 +9,13 @@
 // Fails: as cross_product without FMA. With FMA one product is rounded and the
 // other is not, so even a point that is exactly on an edge may be thrown out:
 // cross(a, a) ≠ 0 for a = (0x1.99999ap-4, 0x1.333334p-2).
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   cross_product_det, said inside, is 1.5e+07 ulps outside:
+//     (-0x1.b92e6cp-1, -0x1.cb0ddp-1) (0x1.cc69c8p-3, 0x1.7d37p-7)
+//     (-0x1.0b28p-1, -0x1.399524p-1) (0x1.d27836p-1, 0x1.2babdp-1)
+//   cross_product_det_fma, said inside, is 7.54e+06 ulps outside:
+//     (0x1.b6f098p-1, 0x1.64a7ep-1) (-0x1.db9bd8p-5, -0x1.9b2ap-2)
+//     (0x1.6898e8p-1, 0x1.06abe8p-1) (-0x1.622ffap-2, -0x1.7e5f8ep-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/cross_product_det.cc"

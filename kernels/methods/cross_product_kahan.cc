@@ -15,6 +15,10 @@
 // Fails: elsewhere the differences round, as in cross_product_centered, and the
 // sign is that of a slightly different triangle. Both neighbours see the same
 // rounded differences: no holes.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   cross_product_kahan, said inside, is 1.95e+07 ulps outside:
+//     (0x1.f54484p-2, 0x1.01f32ep-1) (0x1.f5448p-2, 0x1.01f32cp-1)
+//     (0x1.f54482p-2, 0x1.01f32cp-1) (-0x1.e7898p-6, -0x1.11c9eep-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/cross_product_kahan.cc"

@@ -12,6 +12,10 @@
 // nothing.
 // Fails: accepts only the third of the triangle nearest A, where w_b ≤ w_a and
 // w_c ≤ w_a: (0, 0) (4, 0) (0, 4) does not contain (2, 1).
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   cross_solve_published, said inside, is 3.77e+07 ulps outside:
+//     (0x1.fce164p-1, 0x1.95554p-3) (0x1.fce17p-1, 0x1.95556p-3)
+//     (0x1.fce168p-1, 0x1.95554p-3) (-0x1.d8p-1, -0x1.f52d98p-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/cross_solve_published.cc"

@@ -11,6 +11,16 @@
 // neighbours disagree on their common edge.
 // Integers: exact while the coordinates of triangles and points have at most
 // 15 bits. No NaN there: a degenerate triangle gets C = −1, A = B = 0.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   edge_function, said inside, is 1.83e+07 ulps outside:
+//     (0x1.8p-1, -0x1.50a1c2p-1) (0x1.ep-1, -0x1.50a1c2p-1)
+//     (0x1.8p-4, -0x1.50a1bep-1) (-0x1.ffffp-1, -0x1.50a1b8p-1)
+//   edge_function_top_left, said inside, is 1.8e+07 ulps outside:
+//     (-0x1.f0ee38p-1, -0x1.8p-1) (-0x1.f0ee38p-1, -0x1.6p-1)
+//     (-0x1.f0ee3ap-1, -0x1.4cp-2) (-0x1.f0ee4p-1, 0x1.7ff8p-1)
+//   edge_function_fma, said inside, is 1.6e+07 ulps outside:
+//     (-0x1.e992aap-1, -0x1.d04p-2) (-0x1.e992acp-1, -0x1p+0)
+//     (-0x1.e992aap-1, -0x1.ep-1) (-0x1.e992aap-1, 0x1.ffffep-2)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/edge_function.cc"

@@ -14,6 +14,10 @@
 // Fails: ε is an area, compared with one: a triangle whose size squared is
 // below ε contains all points near it, and where the products are so large that
 // their rounding exceeds ε it changes nothing.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   epsilon, said inside, is 4.7e+07 ulps outside:
+//     (0x1.f0898p-1, -0x1.fd882p-1) (0x1.f089ap-1, -0x1.fd884p-1)
+//     (0x1.f089ap-1, -0x1.fd8848p-1) (-0x1.fffp-1, 0x1.ffffp-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/epsilon.cc"

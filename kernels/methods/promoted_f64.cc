@@ -15,6 +15,10 @@
 // Fails: where the coordinates have more bits than that. While the differences
 // are exact, a point near an edge may look as if it were on it, but not beyond,
 // or with FMA on either side; where they round, anything.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   promoted_f64: none found
+//   promoted_f64_fma: none found
+//   promoted_f64_kahan: none found
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/promoted_f64.cc"

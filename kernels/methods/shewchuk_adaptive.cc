@@ -13,6 +13,8 @@
 // Right where every coordinate is 0 or of magnitude 2^-50 to 2^62 in f32,
 // 2^-484 to 2^510 in f64. Fails: outside that range. Products that underflow
 // look like a point on the edge; those that overflow like one outside.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   shewchuk_adaptive: none found
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/shewchuk_adaptive.cc"

@@ -12,6 +12,13 @@
 // Fails: the Gram determinant is the square of the area, so it vanishes on
 // needles where the area does not: f32 (0, 0) (1, 0) (1, 0x1p-13). It
 // underflows and overflows at the fourth root of the range.
+// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+//   uv_projection, said inside, is 4.52e+07 ulps outside:
+//     (0x1.e0ca0ep-1, 0x1.cc4a4cp-1) (0x1.df2492p-1, 0x1.cba85ep-1)
+//     (0x1.e22aaap-1, 0x1.ccd1c4p-1) (-0x1.ffbp-1, -0x1.f4bfdp-1)
+//   uv_projection_fma, said inside, is 3.62e+07 ulps outside:
+//     (-0x1.bc9c5ap-1, -0x1.cabba8p-1) (-0x1.dd31b8p-4, -0x1.e58ffcp-1)
+//     (0x1.8d06p-6, -0x1.ea9594p-1) (0x1.d9e148p-1, 0x1.ffea2p-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/uv_projection.cc"
