@@ -178,6 +178,8 @@ def test_a_flag_changes_errors_and_time_side_by_side() -> None:
         {
             name("edge_function", "avx2", FRESH): [4.0, 4.0, 4.0],
             name("edge_function_fma", "avx2", FRESH): [2.0, 3.0, 2.0],
+            name("edge_function", "scalar", FRESH): [9.0, 9.0, 9.0],
+            name("edge_function_fma", "scalar", FRESH): [9.0, 9.0, 9.0],
         }
     )
     table = flags_axis(accuracy, speed, speed_cells(speed), (), ["f32"])
