@@ -99,11 +99,8 @@ def errors_along(
     no row on it, on its widest. A scene all of whose points lie on the boundary
     has no error rate and is left out.
     """
-    chosen = accuracy[
-        (accuracy["family"] == family)
-        & (accuracy["scalar"] == scalar)
-        & (accuracy["loop"] == accuracy_loop(accuracy))
-    ]
+    chosen = accuracy[(accuracy["family"] == family) & (accuracy["scalar"] == scalar)]
+    chosen = chosen[chosen["loop"] == accuracy_loop(chosen)]
     on_isa = set(chosen[chosen["isa"] == isa]["method"])
     own_isa = chosen["method"].map(widest_of_each(chosen))
     own_isa = own_isa.mask(chosen["method"].isin(on_isa), isa)

@@ -38,7 +38,8 @@ KEYS = (
 
 
 def overview(accuracy: pd.DataFrame, scalar: str) -> pd.DataFrame:
-    """One row a method, on the widest ISA that it has; for each key of KEYS
+    """One row a method, on the widest ISA that it has and in each family's
+    main loop; for each key of KEYS
     the rate, its interval, the count and of how many (`of` 0: not measured).
 
     `boundary` is how often the method breaks the rule that it declares: a
@@ -47,8 +48,8 @@ def overview(accuracy: pd.DataFrame, scalar: str) -> pd.DataFrame:
     counted. `boundary_accepted` is the share accepted, for all.
     """
     own = accuracy[accuracy["scalar"] == scalar]
-    if len(own):
-        own = own[own["loop"] == accuracy_loop(own)]
+    loops = {family: accuracy_loop(rows) for family, rows in own.groupby("family")}
+    own = own[own["loop"] == own["family"].map(loops)]
     isas = widest_of_each(own)
     rows = []
     for method in in_order(isas):

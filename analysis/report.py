@@ -18,11 +18,11 @@ from analysis.hero_chart import hero
 from analysis.overview import overview
 from analysis.palette import method_rank
 from analysis.run import Run
-from analysis.verdicts import Advice, advise, verdicts
+from analysis.verdicts import Advice, advise, unfit, verdicts
 from analysis.wording import listed
 
 # The page stays below its 5 MB whatever the profile; the CSV has every row.
-MOST_ROWS = 700
+MOST_ROWS = 500
 
 MAIN_LOOP = "one_triangle"
 
@@ -53,7 +53,8 @@ def build(run: Run) -> Report:
     scalars = [s for s in ("f32", "f64") if s in set(cells["scalar"])]
     scalar = scalars[0] if scalars else str(cells["scalar"].iloc[0])
     isa = tables.widest_isa(tables.reference_cells(cells, scalar, MAIN_LOOP))
-    table = verdicts(run.speed, cells, run.accuracy, scalar)
+    left_out = unfit(run.accuracy, run.methods, scalar)
+    table = verdicts(run.speed, cells, run.accuracy, scalar, left_out)
     footer = _footer(run, judged)
     exhibits = Exhibits()
     _add_heroes(exhibits, run, cells, scalars, footer)
@@ -88,7 +89,7 @@ def build(run: Run) -> Report:
         noise=judged,
         cells=cells,
         verdicts=table,
-        advice=advise(table) if len(table) else None,
+        advice=advise(table, left_out) if len(table) else None,
         agreement=accuracy_tables.isa_agreement(run.accuracy),
         scalar=scalar,
         isa=isa,

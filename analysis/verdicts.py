@@ -11,6 +11,7 @@ import pandas as pd
 from analysis.accuracy_tables import hardest, speed_against_error
 from analysis.hardness import HARDNESSES
 from analysis.palette import method_rank
+from analysis.run import MethodEntry
 from analysis.stats import Interval, ratio_interval
 from analysis.tables import samples, widest_isa
 from analysis.wording import share, times
@@ -33,11 +34,28 @@ class Advice:
     cost_high: float
 
 
+def unfit(
+    accuracy: pd.DataFrame, entries: tuple[MethodEntry, ...], scalar: str
+) -> frozenset[str]:
+    """The methods that nobody should be sent to for their speed: those kept as
+    a warning, and those that err even where points are spread evenly.
+    """
+    rows = accuracy[(accuracy["family"] == "uniform") & (accuracy["scalar"] == scalar)]
+    wrong = (rows["false_inside"] + rows["false_outside"]) > 0
+    warned = {entry.key for entry in entries if entry.warning}
+    return frozenset(warned | set(rows[wrong.astype(bool)]["method"]))
+
+
 def verdicts(
-    speed: pd.DataFrame, cells: pd.DataFrame, accuracy: pd.DataFrame, scalar: str
+    speed: pd.DataFrame,
+    cells: pd.DataFrame,
+    accuracy: pd.DataFrame,
+    scalar: str,
+    left_out: frozenset[str] = frozenset(),
 ) -> pd.DataFrame:
-    """One row a method at the widest ISA: its time, that time over the
-    fastest one's (of those that decide the whole triangle), its error rate
+    """One row a method at the widest ISA: its time, that time over the fastest
+    one's (of those that decide the whole triangle and are not left out, so
+    that a method left out may take less than 1), its error rate
     near an edge, the largest one on needles and far away, and a verdict.
     """
     marks = speed_against_error(cells, accuracy, scalar)
@@ -46,7 +64,7 @@ def verdicts(
     if not len(rows):
         return rows.assign(verdict=[])
     by_cell = samples(speed)
-    fastest = _fastest(rows)
+    fastest = _fastest(rows, left_out)
     base = by_cell[fastest["shard"], fastest["name"]]
     ratios = []
     for _, row in rows.iterrows():
@@ -69,15 +87,23 @@ def verdicts(
     return table.assign(verdict=texts)
 
 
-def _fastest(rows: pd.DataFrame) -> pd.Series:
+def _fastest(rows: pd.DataFrame, left_out: frozenset[str]) -> pd.Series:
     whole = rows[rows["accepts"].fillna(WHOLE) == WHOLE]
+    fit = whole[~whole["method"].isin(left_out)]
+    whole = fit if len(fit) else whole
     among = whole if len(whole) else rows
     return among.loc[among["ns"].idxmin()]
 
 
-def advise(table: pd.DataFrame) -> Advice | None:
-    """From the table of verdicts; None if no answer was judged."""
+def advise(
+    table: pd.DataFrame, left_out: frozenset[str] = frozenset()
+) -> Advice | None:
+    """From the table of verdicts, made with the same methods left out; None if
+    no answer was judged.
+    """
     known = table[(table["accepts"] == WHOLE) & table["error_rate"].notna()]
+    fit = known[~known["method"].isin(left_out)]
+    known = fit if len(fit) else known
     if not len(known):
         return None
     fastest = known.loc[known["ns"].idxmin()]

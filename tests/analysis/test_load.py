@@ -85,14 +85,14 @@ def test_a_worst_input_without_a_distance_has_none(small_run: Path) -> None:
 
 def test_bits_of_maps_are_read_row_by_row_and_lowest_first(small_run: Path) -> None:
     raw = bytearray(32 * 256)
-    raw[32 * 5 + 2] = 0b1000_0001
+    raw[32 * 5 + 2] = 0b1000_0010
 
     def one_row(document: Any) -> None:
         document["ulp_maps"][0]["lower"] = base64.b64encode(raw).decode()
 
     edit(small_run / MAPS, one_row)
     lower = load_run(small_run).maps.ulp_maps[0].lower
-    assert [tuple(at) for at in zip(*lower.nonzero())] == [(5, 16), (5, 23)]
+    assert [tuple(at) for at in zip(*lower.nonzero())] == [(5, 17), (5, 23)]
 
 
 def test_a_run_without_maps_has_none(small_run: Path) -> None:

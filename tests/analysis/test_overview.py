@@ -73,6 +73,18 @@ def test_a_boundary_rule_is_broken_only_where_it_says_something(
     assert row["boundary_accepted_count"] == 4 * accepted
 
 
+def test_a_family_that_only_another_loop_has_is_counted_all_the_same() -> None:
+    cells = {
+        name("a", "avx2", EDGE): (100, 10, 300, 30),
+        name("a", "avx2", "near_edge:ulps=2"): (100, 0, 300, 0),
+        name("a", "avx2", EDGE, "pairs"): (100, 99, 300, 99),
+        name("a", "avx2", NEEDLE, "pairs"): (100, 1, 300, 1),
+    }
+    row = overview(accuracy_frame(cells), "f32").iloc[0]
+    assert (row["near_edge_count"], row["near_edge_of"]) == (40, 800)
+    assert (row["needle_count"], row["needle_of"]) == (2, 400)
+
+
 def test_who_fails_most_and_who_never() -> None:
     clean = {
         name("exact", "avx2", EDGE): (100, 0, 300, 0),
@@ -166,6 +178,8 @@ def test_a_flag_changes_errors_and_time_side_by_side() -> None:
         {
             name("edge_function", "avx2", FRESH): [4.0, 4.0, 4.0],
             name("edge_function_fma", "avx2", FRESH): [2.0, 3.0, 2.0],
+            name("edge_function", "scalar", FRESH): [9.0, 9.0, 9.0],
+            name("edge_function_fma", "scalar", FRESH): [9.0, 9.0, 9.0],
         }
     )
     table = flags_axis(accuracy, speed, speed_cells(speed), (), ["f32"])

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pandas as pd
 import pytest
 
 from analysis import failure_prose
@@ -63,6 +64,36 @@ def test_a_method_of_another_question_is_never_advised(tmp_path: Path) -> None:
     assert report.advice.fastest == "edge_function"
     words = text_of(tmp_path / "b", quick)
     assert "cross_solve_published decides another question" in words
+
+
+def test_a_method_that_errs_on_everyday_points_is_never_advised(
+    tmp_path: Path,
+) -> None:
+    run = load_run(write_run(tmp_path / "a", FOUR))
+    evenly = run.accuracy.assign(
+        family="uniform", scene="uniform:hit=50:n=4096:sets=fresh", false_outside=0
+    )
+    wrong = (evenly["method"] == "edge_function").astype(int)
+    both = pd.concat([run.accuracy, evenly.assign(false_inside=wrong)])
+    report = build(dataclasses.replace(run, accuracy=both))
+    assert report.advice is not None
+    assert report.advice.fastest == "cross_product"
+    own = report.verdicts.set_index("method")
+    assert own.loc["cross_product", "time_over_best"] == 1.0
+    assert own.loc["edge_function", "time_over_best"] < 1.0
+    page = render(report, "index.html.j2")
+    assert "and do not err where points are spread evenly" in page
+
+
+def test_a_method_with_a_warning_is_never_advised(tmp_path: Path) -> None:
+    run = load_run(write_run(tmp_path / "a", FOUR))
+    warned = [
+        dataclasses.replace(entry, warning="odd" * (entry.key == "edge_function"))
+        for entry in run.methods
+    ]
+    report = build(dataclasses.replace(run, methods=tuple(warned)))
+    assert report.advice is not None
+    assert report.advice.fastest == "cross_product"
 
 
 def test_each_verdict_names_what_is_better(tmp_path: Path) -> None:
