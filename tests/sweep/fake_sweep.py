@@ -19,6 +19,7 @@ SHARDS = [
     ["speed-b", "speed"],
     ["accuracy-b", "accuracy"],
     ["accuracy-c", "accuracy"],
+    ["maps", "maps"],
 ]
 
 

@@ -46,15 +46,6 @@ def test_speed_comes_first_and_every_kind_in_the_listed_order(fake: FakeSweep) -
     assert fake.started() == want
 
 
-def test_maps_are_drawn_last(fake: FakeSweep) -> None:
-    fake.plan["shards"] = [["maps", "maps"], *SHARDS]
-    assert fake.run("--jobs", "1")[0] == 0
-    assert fake.started()[-1] == "maps"
-    assert len(fake.started()) == len(SHARDS) + 1
-    got = json.loads((fake.out / "maps.json").read_text())["arguments"]
-    assert got[0] == "maps"
-
-
 def test_nothing_runs_beside_a_speed_shard(fake: FakeSweep) -> None:
     fake.plan["seconds"] = {name: 0.2 for name, _ in SHARDS}
     fake.run("--jobs", "3")
