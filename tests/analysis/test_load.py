@@ -10,12 +10,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
-
 from analysis.load import LoadError, load_run
 from tests.analysis.conftest import TWO_METHODS
-from tests.analysis.synthetic import REVISION, documents, write_run
+from tests.analysis.synthetic import REVISION, write_run
 
 SPEED = "speed-one_triangle-f32.json"
 ACCURACY = "accuracy-near_edge-f32.json"
@@ -285,80 +282,3 @@ def test_what_is_no_json_of_ours_is_refused(small_run: Path, content: bytes) -> 
     (small_run / SPEED).write_bytes(content)
     with pytest.raises(LoadError, match=SPEED):
         load_run(small_run)
-
-
-JSON = st.recursive(
-    st.none()
-    | st.booleans()
-    | st.integers()
-    | st.floats()
-    | st.text(max_size=8)
-    | st.sampled_from([10**400, 2**63, -1, "NaN", "", 1e308, 5e-324]),
-    lambda inner: st.lists(inner, max_size=3)
-    | st.dictionaries(st.text(max_size=5), inner, max_size=3),
-    max_leaves=6,
-)
-
-
-def places(document: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
-    """The path of everything inside a JSON document."""
-    inside: list[tuple[Any, ...]] = [path] if path else []
-    keys: Any = []
-    if isinstance(document, dict):
-        keys = document
-    elif isinstance(document, list):
-        keys = range(min(len(document), 3))
-    for key in keys:
-        inside += places(document[key], (*path, key))
-    return inside
-
-
-FILES = documents(TWO_METHODS)
-# Pictures of one method are enough to be spoilt.
-FILES["maps.json"]["ulp_maps"] = FILES["maps.json"]["ulp_maps"][:1]
-PLACES = {name: places(document) for name, document in FILES.items()}
-
-
-@settings(
-    max_examples=150,
-    deadline=None,
-    suppress_health_check=[HealthCheck.function_scoped_fixture],
-)
-@given(data=st.data())
-def test_a_mutated_file_is_loaded_or_refused_but_never_a_crash(
-    data: st.DataObject, tmp_path: Path
-) -> None:
-    folder = write_run(tmp_path / "mutated", TWO_METHODS)
-    name = data.draw(st.sampled_from(sorted(FILES)))
-    document = json.loads((folder / name).read_text())
-    *parents, last = data.draw(st.sampled_from(PLACES[name]))
-    inner = document
-    for key in parents:
-        inner = inner[key]
-    if isinstance(inner, dict) and data.draw(st.booleans()):
-        del inner[last]
-    else:
-        inner[last] = data.draw(JSON)
-    (folder / name).write_text(json.dumps(document))
-    try:
-        load_run(folder)
-    except LoadError as error:
-        assert name in str(error) or "mixed" in str(error)
-
-
-@settings(
-    max_examples=60,
-    deadline=None,
-    suppress_health_check=[HealthCheck.function_scoped_fixture],
-)
-@given(content=st.binary(max_size=60), cut=st.integers(0, 5000))
-def test_spoilt_bytes_are_loaded_or_refused_but_never_a_crash(
-    content: bytes, cut: int, tmp_path: Path
-) -> None:
-    folder = write_run(tmp_path / "spoilt", TWO_METHODS)
-    whole = (folder / SPEED).read_bytes()
-    (folder / SPEED).write_bytes(whole[:cut] + content + whole[cut + len(content) :])
-    try:
-        load_run(folder)
-    except LoadError as error:
-        assert SPEED in str(error)

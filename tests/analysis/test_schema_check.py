@@ -15,7 +15,7 @@ from analysis.read_json import _validator
 from analysis.schema_check import UnknownKeyword, compiled
 from tests.analysis.conftest import TWO_METHODS
 from tests.analysis.synthetic import documents
-from tests.analysis.test_load import JSON, places
+from tests.analysis.test_load_spoilt import JSON, places
 
 NAMES = ["machine", "speed", "accuracy", "methods", "maps"]
 CHECKS = {name: compiled(_validator(name).schema) for name in NAMES}
