@@ -2,8 +2,9 @@
 """Stands in for build/pitbench: sleeps instead of measuring, and keeps a log.
 
 FAKE_STATE names a folder with plan.json: {"revision", "dirty", "cpu",
-"seconds": {shard: s}, "fail": [shard], "shards": [[name, kind]]}. Every shard
-appends "start|end NAME TIME" lines to log.txt there.
+"seconds": {shard: s}, "held": [shard], "fail": [shard], "shards": [[name,
+kind]]}. Every shard appends "start|end NAME TIME" lines to log.txt there; one
+that is held goes on when a file `released` is there.
 """
 
 import json
@@ -44,6 +45,8 @@ def main() -> int:
     note("start", name)
     Path(out + ".tmp").write_text("half a resu")
     time.sleep(plan["seconds"].get(name, 0.05))
+    while name in plan["held"] and not (state / "released").exists():
+        time.sleep(0.01)
     if name in plan["fail"]:
         print(f"{name}: the answers are wrong", file=sys.stderr)
         return 1

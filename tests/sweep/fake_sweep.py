@@ -32,6 +32,7 @@ class FakeSweep:
             "dirty": False,
             "cpu": "Fake CPU",
             "seconds": {},
+            "held": [],
             "fail": [],
             "shards": SHARDS,
         }
@@ -63,6 +64,10 @@ class FakeSweep:
         child = self.start(*arguments, out=out)
         output, errors = child.communicate(timeout=60)
         return child.returncode, output, errors
+
+    def release(self) -> None:
+        """Lets shards that the plan holds go on."""
+        (self.folder / "released").write_text("")
 
     def log(self) -> list[tuple[str, str, float]]:
         file = self.folder / "log.txt"

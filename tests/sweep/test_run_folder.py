@@ -94,7 +94,7 @@ def test_an_unknown_shard_is_refused(fake: FakeSweep) -> None:
 
 
 def test_single_shards_share_a_folder_but_not_a_shard(fake: FakeSweep) -> None:
-    fake.plan["seconds"] = {"accuracy-a": 3}
+    fake.plan["held"] = ["accuracy-a"]
     first = fake.start("--shard", "accuracy-a")
     fake.wait_for("start", "accuracy-a")
     assert fake.run("--shard", "accuracy-b")[0] == 0
@@ -102,6 +102,7 @@ def test_single_shards_share_a_folder_but_not_a_shard(fake: FakeSweep) -> None:
     assert (code, "being run in" in errors) == (2, True)
     code, _, errors = fake.run()
     assert (code, "another sweep is running" in errors) == (2, True)
+    fake.release()
     assert first.wait(timeout=20) == 0
     assert fake.results() == ["accuracy-a.json", "accuracy-b.json"]
 

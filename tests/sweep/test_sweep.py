@@ -153,13 +153,14 @@ def test_interrupted_it_stops_its_shards_and_ends_with_130(fake: FakeSweep) -> N
 
 
 def test_a_second_start_into_the_same_folder_says_so_and_ends(fake: FakeSweep) -> None:
-    fake.plan["seconds"] = {"speed-a": 4}
+    fake.plan["held"] = ["speed-a"]
     first = fake.start()
     fake.wait_for("start", "speed-a")
     for arguments in ((), ("--shard", "accuracy-a")):
         code, output, errors = fake.run(*arguments)
         assert (code, output) == (2, "")
         assert "another sweep is running in" in errors
+    fake.release()
     assert first.wait(timeout=30) == 0
     assert fake.results() == ALL
 
