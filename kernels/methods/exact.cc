@@ -4,10 +4,10 @@
 //   e_k = A_k·x + B_k·y + C_k > t inside for all k, < −t outside for any k;
 //   between, the signs of three determinants, exactly
 //
-// Set-up: as edge_function, and the bound t. Per point: 4 MulAdd, 2
-// subtractions, 2 Min, 2 compares; the one in 10^5 or so uniform points that is
-// undecided costs 3 determinants in double precision, and, where these cannot
-// tell either, in integers of as many bits as the exponents need.
+// Set-up: two edge functions, the area and the bound t. Per point: 4 MulAdd, 2
+// subtractions, 3 Min, 1 magnitude, 1 compare; the one in 10^5 or so uniform
+// points that is undecided costs 3 determinants in double precision, and, where
+// these cannot tell either, in integers of as many bits as the exponents need.
 // Boundary: closed (exact), open (exact_open) or top-left (exact_top_left):
 // with that every point of a mesh is in exactly one triangle. Winding: any.
 // Degenerate: contains nothing. Fails: never. Slowest where all points are
