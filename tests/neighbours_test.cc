@@ -133,9 +133,11 @@ TEST(NeighboursTest, FastMathContractsWhatIsWrittenWithoutFma) {
       }
     }
   }
+#if !defined(__SANITIZE_ADDRESS__)  // what is checked is not contracted
   if (RunsHere(Isa::kAutovecV3)) {
     EXPECT_GT(lost, 50u);
   }
+#endif
 }
 
 }  // namespace

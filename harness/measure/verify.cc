@@ -1,6 +1,6 @@
 #include "harness/measure/verify.h"
 
-#include <bit>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -11,10 +11,15 @@
 namespace pitbench {
 namespace {
 
-// 67 points a triangle: every vector length gets whole vectors and a tail. One
-// group is long, so that blocks of the filter are filled too.
-constexpr SceneSize kManyGroups{.groups = 300, .size = 67};
-constexpr SceneSize kLongGroups{.groups = 4, .size = 5000};
+// How much the scenes of a round hold, so that even the first round of a short
+// verification meets all of them. 67 points a triangle: every vector length
+// gets whole vectors and a tail. In some rounds they are long, so that blocks
+// of the filter are filled too.
+SceneSize SizeFor(std::size_t points, std::size_t scenes, std::uint64_t round) {
+  if (round % 8 == 7) return {.groups = 4, .size = 5000};
+  return {.groups = std::clamp<std::size_t>(points / (scenes * 67), 5, 300),
+          .size = 67};
+}
 
 // The bits that a kernel with that boundary rule should write for a call.
 template <class T>
@@ -135,7 +140,7 @@ Verification Verify(const std::vector<const Kernel*>& kernels,
     for (const std::string& name : names) {
       for (const Loop loop :
            {Loop::kOneTriangle, Loop::kOnePoint, Loop::kPairs}) {
-        const SceneSize size = round % 8 == 7 ? kLongGroups : kManyGroups;
+        const SceneSize size = SizeFor(points, 3 * names.size(), round);
         VerifyOn(MakeScene<T>(ParseScene(name), loop, size, seed + round),
                  kernels, so_far);
       }

@@ -99,6 +99,27 @@ inline Triangle<double> WellShaped(Random& random) {
   }
 }
 
+// A family of well-shaped triangles and points in the unit square, of which
+// `place`, a function from Point<double> to Point<T>, makes the scene's.
+template <class T, class Place>
+struct Placed {
+  Place place;
+
+  Triangle<T> DrawTriangle(Random& random) const {
+    const Triangle<double> t = WellShaped(random);
+    return {place(t.a), place(t.b), place(t.c)};
+  }
+  Point<T> DrawPoint(Random& random) const {
+    return place(InUnitSquare(random));
+  }
+  Point<T> PointFor(Random& random, const Triangle<T>&) const {
+    return DrawPoint(random);
+  }
+  Triangle<T> TriangleFor(Random& random, const Point<T>&) const {
+    return DrawTriangle(random);
+  }
+};
+
 // Groups of a family that draws a point for a triangle and a triangle for a
 // point. Family has
 //   Triangle<T> DrawTriangle(Random&), Point<T> DrawPoint(Random&),

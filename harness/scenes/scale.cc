@@ -8,34 +8,6 @@
 #include "harness/scenes/families.h"
 
 namespace pitbench {
-namespace {
-
-template <class T>
-struct Scale {
-  double side;
-
-  // The product rounds where it is subnormal in double, and then once to T.
-  // For f32 the product is exact.
-  Point<T> Scaled(const Point<double>& p) const {
-    return Rounded<T>(Point<double>{p.x * side, p.y * side});
-  }
-  Triangle<T> DrawTriangle(Random& random) const {
-    const Triangle<double> t = WellShaped(random);
-    return {Scaled(t.a), Scaled(t.b), Scaled(t.c)};
-  }
-  Point<T> DrawPoint(Random& random) const {
-    return Scaled(InUnitSquare(random));
-  }
-  Point<T> PointFor(Random& random, const Triangle<T>&) const {
-    return DrawPoint(random);
-  }
-  Triangle<T> TriangleFor(Random& random, const Point<T>&) const {
-    return DrawTriangle(random);
-  }
-};
-
-}  // namespace
-
 template <class T>
 Scene<T> ScaleScene(const SceneSpec& spec, Loop loop, SceneSize size,
                     std::uint64_t seed) {
@@ -44,7 +16,13 @@ Scene<T> ScaleScene(const SceneSpec& spec, Loop loop, SceneSize size,
   const auto exponent = static_cast<int>(
       spec.Number("exponent", Limits::min_exponent - Limits::digits + 4,
                   Limits::max_exponent - 1));
-  return Assemble<T>(Scale<T>{std::ldexp(1.0, exponent)}, spec, loop, size,
+  const double side = std::ldexp(1.0, exponent);
+  // The product rounds where it is subnormal in double, and then once to T.
+  // For f32 the product is exact.
+  const auto scaled = [side](const Point<double>& p) {
+    return Rounded<T>(Point<double>{p.x * side, p.y * side});
+  };
+  return Assemble<T>(Placed<T, decltype(scaled)>{scaled}, spec, loop, size,
                      seed);
 }
 
