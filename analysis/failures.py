@@ -66,7 +66,7 @@ def smallest_examples(
             worst["method"], worst["kind"], worst["distance_ulps"]
         )
     ]
-    worst = worst[[not ruled for ruled in by_rule]]
+    worst = worst[~pd.Series(by_rule, index=worst.index, dtype=bool)]
     ranks = {kind: rank for rank, kinds in enumerate(_KINDS) for kind in kinds}
     known = worst[worst["kind"].isin(ranks)]
     sizes = sum(known[key].str.len() for key in ("a", "b", "c", "p"))

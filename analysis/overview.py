@@ -106,7 +106,7 @@ def beyond_rule(cells: pd.DataFrame) -> pd.DataFrame:
         places = zip(cells["boundary_rule"], cells["loop"], cells["scene"])
         allowed = pd.Series([known.get(p, 0.0) for p in places], index=cells.index)
         counts = cells[kind].astype(float)
-        by_rule = counts.combine(allowed, min).where(counts.notna())
+        by_rule = counts.where(counts.isna() | (counts <= allowed), allowed)
         found = found.assign(
             **{kind: counts - by_rule, f"{kind}_by_rule": by_rule.fillna(0)}
         )
