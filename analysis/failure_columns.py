@@ -45,7 +45,9 @@ def _tip(row: Row, key: str) -> str:
     if not of:
         return "not measured"
     ends = share_between(row[f"{key}_low"], row[f"{key}_high"])
-    return f"{grouped(count)} of {grouped(of)}: {share(row[key])} ({ends})"
+    by_rule = row.get(f"{key}_by_rule", 0)
+    more = f"; {grouped(by_rule)} more by its boundary rule" if by_rule else ""
+    return f"{grouped(count)} of {grouped(of)}: {share(row[key])} ({ends}){more}"
 
 
 def _boundary(row: Row) -> str:

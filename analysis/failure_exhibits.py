@@ -6,6 +6,7 @@ import pandas as pd
 
 from analysis import accuracy_tables, columns, failure_columns, tables
 from analysis.accuracy_charts import errors_along
+from analysis.cost_curve import curve_chart
 from analysis.exhibits import Exhibits
 from analysis.gradients import gradients_chart
 from analysis.hardness import HARDNESSES, Hardness
@@ -34,9 +35,12 @@ def add_overview(exhibits: Exhibits, overviews: dict[str, pd.DataFrame]) -> None
             f"What goes wrong, {scalar} on {isas.iloc[0] if len(isas) else ''}: the "
             "share of answers that fail in each way, all scenes of the run that ask "
             "for it together. White: none of so many. A dash: not measured. Point at "
-            "a number for its count and interval. Holes and double hits are counted "
-            "as they come, also where a boundary rule brings them about: an open "
-            "triangle leaves its edges to nobody, and two closed ones share theirs.",
+            "a number for its count and interval. Holes and double hits are those "
+            "beyond what the method's boundary rule brings about – an open triangle "
+            "leaves its edges to nobody, two closed ones share theirs – as the exact "
+            "method of that rule shows it on the same points; so they are at least "
+            "this many. Half-open ones are allowed the holes of the open rule and "
+            "the double hits of the closed one.",
             table,
             failure_columns.OVERVIEW,
         )
@@ -48,7 +52,8 @@ def add_flags(exhibits: Exhibits, table: pd.DataFrame) -> None:
             "flags_axis",
             "What a compiler's flag changes: each form with multiply-add, or with a "
             "warning, beside the plain one. ⚠: kept as a warning. Holes and double "
-            "hits are shares of the points asked on meshes.",
+            "hits are shares of the points asked on meshes, beyond those that the "
+            "boundary rule brings about.",
             table,
             failure_columns.FLAGS_AXIS,
         )
@@ -161,14 +166,30 @@ def add_pictures(exhibits: Exhibits, run: Run, scalars: list[str], footer: str) 
         )
 
 
-def add_exact(exhibits: Exhibits, errors: pd.DataFrame, speed: pd.DataFrame) -> None:
+def add_exact(
+    exhibits: Exhibits,
+    errors: pd.DataFrame,
+    speed: pd.DataFrame,
+    curve: pd.DataFrame,
+    footer: str,
+) -> None:
     if len(errors):
         exhibits.table(
             "exact_errors",
             "Wrong answers of the exact methods, all scenes, loops and instruction "
-            "sets of this run together.",
+            "sets of this run together. Where no answer is wrong, the holes of the "
+            "open form and the double hits of the closed one are those that its "
+            "boundary rule brings about on shared edges.",
             errors,
             failure_columns.EXACT_ERRORS,
+        )
+    if len(curve):
+        exhibits.figure(
+            curve_chart(curve, footer),
+            "Time a point against the share of points that lie exactly on an edge. "
+            "0 has a place of its own, in grey, since the axis is logarithmic. "
+            "Whiskers are 95 % intervals of the median.",
+            curve,
         )
     if len(speed):
         exhibits.table(

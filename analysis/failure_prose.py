@@ -10,6 +10,7 @@ import pandas as pd
 
 from analysis import palette, ramp
 from analysis.failures import smallest_examples
+from analysis.cost_curve import worst_words
 from analysis.exact_tables import worst_ratios
 from analysis.method_families import in_order
 from analysis.overview import KEYS, failing_most, never_failing
@@ -58,7 +59,7 @@ def overview_words(report: Report) -> dict[str, Any] | None:
         "clean_count": len(clean),
         "classes": counted(len(measured), "way", "ways"),
         "most": {
-            key: {"method": method, "rate": share(rate)}
+            key: {"method": method, "rate": share(rate), "none": rate == 0}
             for key, (method, rate) in measured.items()
         },
     }
@@ -95,10 +96,12 @@ def flags_words(report: Report) -> dict[str, Any] | None:
 def failures(report: Report) -> list[dict[str, Any]]:
     """Each method's failure in words, with its smallest example of this run."""
     texts = tomllib.loads(METHODS_TEXT.read_text(encoding="utf-8"))
-    examples = smallest_examples(report.run.worst)
+    accuracy = report.run.accuracy
+    rules = dict(zip(accuracy["method"], accuracy["boundary_rule"]))
+    examples = smallest_examples(report.run.worst, rules)
     warnings = {entry.key: entry.warning for entry in report.run.methods}
     found = []
-    for method in in_order(report.run.accuracy["method"]):
+    for method in in_order(accuracy["method"]):
         example = examples.get(method)
         found.append(
             {
@@ -108,7 +111,7 @@ def failures(report: Report) -> list[dict[str, Any]]:
                 "warning": warnings.get(method, ""),
                 "example": example,
                 "distance": _distance(example.distance_ulps) if example else "",
-                "answers": _answers(report.run.accuracy, method),
+                "answers": _answers(accuracy, method),
             }
         )
     return found
@@ -140,6 +143,7 @@ def exact_words(report: Report) -> dict[str, Any] | None:
         "of": counted(int(errors["of"].sum()), "answer"),
         "scenes": counted(int(errors["scenes"].max()), "scene"),
         "at_most": listed([f"{short_share(v)} ({s})" for s, v in highest.items()]),
+        "worst_case": worst_words(report.cost_curve),
         "ratios": {
             column: [
                 {

@@ -25,6 +25,12 @@ from analysis.wording import listed, share, significant
 _OTHERS = "#C4C4C4"
 
 
+def named(table: pd.DataFrame) -> set[str]:
+    """The methods that the chart names: those of the frontier and classics."""
+    front = set(table[table["on_frontier"]]["method"])
+    return front | (set(CLASSICS) & set(table["method"]))
+
+
 def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
     """Speed against error: one mark a method × ISA, the frontier drawn. Only
     the methods of the frontier and the classics are named and in colour; the
@@ -38,10 +44,10 @@ def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
         rates = RateAxis(list(table["error_rate"]), list(table["error_rate_high"]))
         axes.set_xscale("log")
         labels = []
-        named = set(table[table["on_frontier"]]["method"]) | set(CLASSICS)
+        known = named(table)
         for method in in_order(table["method"]):
             rows = table[table["method"] == method].sort_values("items_per_second")
-            if method not in named:
+            if method not in known:
                 _faint_marks(axes, rows, rates)
                 continue
             look = palette.method_style(method)
@@ -81,7 +87,7 @@ def hero(table: pd.DataFrame, scalar: str, footer: str) -> Chart:
         label_column(axes, labels)
         isas = sorted(table["isa"].unique(), key=palette.isa_rank)
         more = [Line2D([], [], color=palette.INK, linewidth=1.4, label="frontier")]
-        if not set(table["method"]) <= named:
+        if not set(table["method"]) <= known:
             more.append(_legend_of_others())
         isa_legend(figure, isas, more)
         front = table[table["on_frontier"]].sort_values("items_per_second")
@@ -121,7 +127,7 @@ def _legend_of_others() -> Any:
         marker="o",
         markersize=4.5,
         linestyle="",
-        label="methods not named here",
+        label="other methods",
     )
 
 

@@ -11,6 +11,13 @@ from analysis.accuracy_tables import accuracy_loop, widest_of_each
 from analysis.method_families import in_order
 from analysis.stats import wilson
 
+# Exact methods whose holes or double hits are what a boundary rule brings about.
+_BY_RULE = {
+    ("open", "hole"): "exact_open",
+    ("half_open", "hole"): "exact_open",
+    ("closed", "double_hit"): "exact",
+    ("half_open", "double_hit"): "exact",
+}
 # Families of scenes with wrong answers as a column: key, title.
 HARD_FAMILIES = (
     ("near_edge", "near an edge"),
@@ -45,11 +52,13 @@ def overview(accuracy: pd.DataFrame, scalar: str) -> pd.DataFrame:
     `boundary` is how often the method breaks the rule that it declares: a
     closed one that rejects, an open one that accepts. Half-open and top-left
     ones accept a part of the boundary by their rule, so for them nothing is
-    counted. `boundary_accepted` is the share accepted, for all.
+    counted. `boundary_accepted` is the share accepted, for all. Holes and
+    double hits are those beyond what the rule brings about (`beyond_rule`).
     """
     own = accuracy[accuracy["scalar"] == scalar]
     loops = {family: accuracy_loop(rows) for family, rows in own.groupby("family")}
     own = own[own["loop"] == own["family"].map(loops)]
+    own = beyond_rule(own)
     isas = widest_of_each(own)
     rows = []
     for method in in_order(isas):
@@ -69,14 +78,39 @@ def overview(accuracy: pd.DataFrame, scalar: str) -> pd.DataFrame:
                 f"{key}_count": count,
                 f"{key}_of": of,
             }
+        for kind in ("hole", "double_hit"):
+            row[f"{kind}_by_rule"] = int(cells[f"{kind}_by_rule"].sum())
         rows.append(row)
     columns = ["method", "isa", "accepts", "boundary_rule"]
     columns += [
         f"{key}{end}"
         for key in [*KEYS, "boundary_accepted"]
         for end in ("", "_low", "_high", "_count", "_of")
-    ]
+    ] + ["hole_by_rule", "double_hit_by_rule"]
     return pd.DataFrame(rows, columns=columns)
+
+
+def beyond_rule(cells: pd.DataFrame) -> pd.DataFrame:
+    """Cells of one scalar with their `hole` and `double_hit` less, scene by
+    scene, what the boundary rule brings about, and that in `hole_by_rule` and
+    `double_hit_by_rule`: as many as the exact method of the same rule has
+    there, whichever its ISA; 0 where none was judged.
+    """
+    found = cells
+    for kind in ("hole", "double_hit"):
+        known: dict[tuple[str, str, str], float] = {}
+        for rule in ("open", "half_open", "closed"):
+            exact = cells[cells["method"] == _BY_RULE.get((rule, kind))]
+            for _, row in exact.dropna(subset=[kind]).iterrows():
+                known[rule, row["loop"], row["scene"]] = float(row[kind])
+        places = zip(cells["boundary_rule"], cells["loop"], cells["scene"])
+        allowed = pd.Series([known.get(p, 0.0) for p in places], index=cells.index)
+        counts = cells[kind].astype(float)
+        by_rule = counts.where(counts.isna() | (counts <= allowed), allowed)
+        found = found.assign(
+            **{kind: counts - by_rule, f"{kind}_by_rule": by_rule.fillna(0)}
+        )
+    return found
 
 
 def _counts(cells: pd.DataFrame) -> list[tuple[str, int, int]]:

@@ -17,6 +17,7 @@ from analysis.machine_prose import machine_rows
 from analysis.hardness import HARDNESSES, Hardness
 from analysis.accuracy_tables import errors_along
 from analysis.exhibits import Column
+from analysis.hero_chart import named
 from analysis.failure_prose import METHODS_TEXT, failure_facts
 from analysis.noise import TOLERANCE
 from analysis.report import MAIN_LOOP, Report, short_revision
@@ -75,8 +76,21 @@ def facts(report: Report) -> dict[str, Any]:
         "verdict_rows": [
             [_with_note(column, row) for column in columns.VERDICTS]
             for row in report.verdicts.to_dict("records")
+            if row["method"] in _worth_a_row(report)
         ],
+        "verdicts_left_out": len(report.verdicts)
+        - int(report.verdicts["method"].isin(_worth_a_row(report)).sum()),
     }
+
+
+def _worth_a_row(report: Report) -> set[str]:
+    """The methods of a short table: those that the hero chart names, and
+    those that the advice is about.
+    """
+    hero = report.exhibits.get(f"hero-{report.scalar}")
+    advised = report.advice
+    found = named(hero.csv) if hero else set(report.verdicts["method"])
+    return found | ({advised.fastest, advised.most_right} if advised else set())
 
 
 def advice(report: Report) -> dict[str, Any] | None:
@@ -99,7 +113,8 @@ def advice(report: Report) -> dict[str, Any] | None:
             ),
         }
 
-    others = [method for method in taken.alike if method != taken.most_right]
+    told = {taken.most_right, *taken.as_fast}
+    others = [method for method in taken.alike if method not in told]
     least = table.loc[taken.most_right, "error_rate"]
     published = table[table["accepts"].fillna(WHOLE) != WHOLE]
     return {

@@ -10,6 +10,7 @@ import pandas as pd
 
 from analysis import accuracy_tables, columns, failure_exhibits, noise, tables
 from analysis.charts import fixed_against_fresh, loops, scaling
+from analysis.cost_curve import cost_curve
 from analysis.exact_tables import exact_errors, exact_speed
 from analysis.exhibits import Exhibits
 from analysis.failure_exhibits import LANE
@@ -44,6 +45,7 @@ class Report:
     flags: pd.DataFrame
     exact_errors: pd.DataFrame
     exact_speed: pd.DataFrame
+    cost_curve: pd.DataFrame
 
 
 def build(run: Run) -> Report:
@@ -77,7 +79,8 @@ def build(run: Run) -> Report:
     _add_scaling(exhibits, cells, scalars, footer)
     failure_exhibits.add_errors(exhibits, run, scalars, footer)
     failure_exhibits.add_pictures(exhibits, run, scalars, footer)
-    failure_exhibits.add_exact(exhibits, promised, price)
+    curve = cost_curve(run.speed, cells)
+    failure_exhibits.add_exact(exhibits, promised, price, curve, footer)
     _add_fixed(exhibits, run, cells, scalar, footer)
     _add_loops(exhibits, cells, scalar, footer)
     _add_grid_and_weights(exhibits, run, cells)
@@ -99,6 +102,7 @@ def build(run: Run) -> Report:
         flags=flags,
         exact_errors=promised,
         exact_speed=price,
+        cost_curve=curve,
     )
 
 
