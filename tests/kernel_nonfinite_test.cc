@@ -66,8 +66,8 @@ TEST_P(KernelNonfiniteTest, PointWithNanOrInfinityIsOutside) {
         points.push_back({static_cast<T>(finite), x});
       }
       // So large that products overflow, which looks infinite too.
-      for (const T large : {std::numeric_limits<T>::max(),
-                            -std::numeric_limits<T>::max()}) {
+      for (const T large :
+           {std::numeric_limits<T>::max(), -std::numeric_limits<T>::max()}) {
         points.push_back({x, large});
         points.push_back({large, x});
       }
