@@ -11,16 +11,29 @@ if(GIT AND EXISTS ${SOURCE}/.git)
     RESULT_VARIABLE FAILED ERROR_QUIET)
   if(NOT FAILED)
     set(REVISION ${HEAD})
-    # README.md and the pictures it shows are written from a run: they differ
+    # README.md, the pictures it shows and runs kept are of a run: they differ
     # after every measurement and change nothing that is measured.
     execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain
-        --untracked-files=no -- . ":!README.md" ":!report/readme"
+        --untracked-files=no -- . ":!README.md" ":!report/readme" ":!report/runs"
       OUTPUT_VARIABLE CHANGES ERROR_QUIET)
     if(CHANGES)
       set(DIRTY true)
     endif()
   endif()
 endif()
+
+# What the kernels are made of, so that results tell themselves from those of
+# other kernels whatever else a revision changed: SHA-256 over the lines
+# "PATH SHA-256" of the files below, by path. analysis/read/kernel_hash.py does the same.
+file(GLOB_RECURSE KERNELS RELATIVE ${SOURCE} ${SOURCE}/kernels/*.cc
+  ${SOURCE}/kernels/*.h ${SOURCE}/kernels/*.inc ${SOURCE}/kernels/CMakeLists.txt)
+list(SORT KERNELS)
+set(LINES "")
+foreach(FILE ${KERNELS})
+  file(SHA256 ${SOURCE}/${FILE} DIGEST)
+  string(APPEND LINES "${FILE} ${DIGEST}\n")
+endforeach()
+string(SHA256 KERNEL_HASH "${LINES}")
 
 # The flags say how a file is compiled, not where: no paths, no file names.
 file(READ ${COMMANDS} JSON)
@@ -30,10 +43,13 @@ set(FLAGS "")
 foreach(K RANGE ${LAST})
   string(JSON FILE GET "${JSON}" ${K} file)
   string(JSON LINE GET "${JSON}" ${K} command)
-  if(NOT LINE MATCHES "kernels_([a-z0-9_]+)\\.dir")
+  if(LINE MATCHES "/kernels_([a-z0-9_]+)\\.dir")
+    set(SET ${CMAKE_MATCH_1})
+  elseif(LINE MATCHES "peers/CMakeFiles/peers_[a-z0-9_]+\\.dir")
+    set(SET library)
+  else()
     continue()
   endif()
-  set(SET ${CMAKE_MATCH_1})
   cmake_path(RELATIVE_PATH FILE BASE_DIRECTORY ${SOURCE})
   separate_arguments(WORDS UNIX_COMMAND "${LINE}")
   set(LINE "")
@@ -53,6 +69,7 @@ endforeach()
 
 set(TEXT "constexpr char kRevision[] = \"${REVISION}\";
 constexpr bool kDirty = ${DIRTY};
+constexpr char kKernelHash[] = \"${KERNEL_HASH}\";
 constexpr KernelFlags kFlags[] = {
 ${FLAGS}};
 ")

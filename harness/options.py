@@ -19,6 +19,12 @@ def parse_arguments(arguments: list[str]) -> argparse.Namespace:
         action="store_true",
         help="only print a name for a run of this program's revision",
     )
+    parser.add_argument(
+        "--isa-up-to",
+        default="",
+        metavar="ISA",
+        help="leave out the rows of wider instruction sets, e.g. avx2",
+    )
     only = parser.add_mutually_exclusive_group()
     only.add_argument("--shard", metavar="NAME", help="run this shard only")
     only.add_argument(

@@ -24,6 +24,7 @@ constexpr char kExamples[] = R"(Examples:
   pitbench accuracy --filter '/near_edge:.*/uv_projection/' --out accuracy.json
   pitbench accuracy --scene needle:aspect=14 --out needle.json
   pitbench speed --triangles T.csv --points P.csv --out own.json
+  pitbench limits --filter '^(multiply_add|load)/' --out limits.json
   pitbench hunt --method uv_projection --scalar f32 --seconds 5
   pitbench shards --profile full
 Exit codes: 0 done, 1 a check did not hold, 2 the input or the call was wrong.)";
@@ -51,7 +52,10 @@ int main(int argc, char** argv) {
   pitbench::AddClassify(app);
   pitbench::AddSpeed(app);
   pitbench::AddAccuracy(app);
+  pitbench::AddLimits(app);
   pitbench::AddMaps(app);
+  pitbench::AddOperations(app);
+  pitbench::AddInstructions(app);
   pitbench::AddHunt(app);
   pitbench::AddVerify(app);
   pitbench::AddMachine(app);

@@ -15,7 +15,7 @@ from typing import Any
 from locks import Refusal
 
 
-KINDS = ("speed", "accuracy", "maps")
+KINDS = ("limits", "speed", "accuracy", "maps", "operations", "instructions")
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Shard:
     @property
     def alone(self) -> bool:
         """Whether no other shard may run beside it: it measures time."""
-        return self.kind == "speed"
+        return self.kind in ("limits", "speed")
 
 
 def ask(pitbench: str, *arguments: str) -> str:
@@ -74,10 +74,11 @@ def describe_machine(pitbench: str) -> dict[str, Any]:
     return machine
 
 
-def run_name(machine: dict[str, Any], profile: str) -> str:
+def run_name(machine: dict[str, Any], profile: str, isa_up_to: str = "") -> str:
     revision = str(machine.get("revision", "unknown"))
     name = "worktree" if revision == "unknown" else revision[:8]
-    return f"{profile}-{name}" + ("-dirty" if machine.get("dirty") else "")
+    name += "-dirty" if machine.get("dirty") else ""
+    return f"{profile}-{name}" + (f"-{isa_up_to}" if isa_up_to else "")
 
 
 def write_whole(path: Path, text: str) -> None:
@@ -103,15 +104,24 @@ def began_with(out: Path) -> tuple[dict[str, Any], dict[str, Any]] | None:
         raise Refusal(f"{files} do not read ({error}): delete {out}") from error
 
 
-def prepare(pitbench: str, profile: str, out: Path) -> None:
+def prepare(
+    pitbench: str,
+    profile: str,
+    out: Path,
+    shards: list[Shard],
+    isa_up_to: str = "",
+) -> None:
     """Writes machine.json, methods.json and sweep.json, or checks that the
     folder was begun by this program, on this CPU, for this profile."""
     machine = describe_machine(pitbench)
-    sweep = {
+    sweep: dict[str, Any] = {
         "schema": "pitbench-sweep-1",
         "profile": profile,
         "program_sha256": hashlib.sha256(Path(pitbench).read_bytes()).hexdigest(),
+        "shards": [shard.name for shard in shards],  # what makes it complete
     }
+    if isa_up_to:
+        sweep["isa_up_to"] = isa_up_to
     begun = began_with(out)
     if begun is None:
         write_whole(out / "machine.json", json.dumps(machine, indent=1) + "\n")
@@ -123,6 +133,7 @@ def prepare(pitbench: str, profile: str, out: Path) -> None:
             ("dirty", old_machine.get("dirty"), machine.get("dirty")),
             ("CPU", cpu_model(old_machine), cpu_model(machine)),
             ("profile", old_sweep.get("profile"), profile),
+            ("--isa-up-to", old_sweep.get("isa_up_to", "none"), isa_up_to or "none"),
             ("program", fingerprint(machine, old_sweep), fingerprint(machine, sweep)),
         ):
             if old != new:

@@ -1,16 +1,18 @@
 #!/usr/bin/python3
 """Runs the shards of a profile into one folder; stopped, it goes on later.
 
-One process a shard. Speed shards come first and run alone; the others, of
-accuracy and of maps, then share the cores. What keeps a result true:
+One process a shard. The limits of the machine and the speed shards come first
+and run alone; the others, of accuracy, of maps and of counts, then share the
+cores. What keeps a result true:
 
 * A shard's file is written whole by pitbench and renamed, so a shard whose
   file is there is done, and one that was killed left no file.
 * One sweep at a time writes into a folder (a lock on `.lock`), and a timing
   shard never runs beside any shard of another sweep on the machine (a lock
-  in /tmp: exclusive for speed, shared for the others). Children hold the locks
+  in /tmp: exclusive for those, shared for the others). Children hold the locks
   with their parent and die with it, so no orphan runs on unseen.
-* A folder belongs to one profile, one revision and one CPU model.
+* A folder belongs to one profile, one revision, one CPU model and one limit on
+  the instruction sets.
 
 Exit codes: 0 done, 1 a shard failed, 2 wrong call, 130 interrupted.
 """
@@ -34,6 +36,7 @@ from pathlib import Path
 from types import FrameType
 from typing import IO
 
+from isas import restricted
 from locks import Refusal, folder_lock, timing_lock
 from options import parse_arguments
 from rich.console import Console
@@ -103,7 +106,7 @@ class Sweep:
         seconds = 0.0
         running = [child.shard for child in self.children]
         for kind in KINDS:
-            at_once = 1 if kind == "speed" else jobs
+            at_once = 1 if kind in ("limits", "speed") else jobs
             times = self.seconds[kind] or known
             count = sum(s.kind == kind for s in self.todo + running)
             seconds += count * sum(times) / len(times) / at_once
@@ -161,7 +164,7 @@ class Sweep:
         child.output.close()
 
     def run(self, alone: bool, jobs: int, locks: list[int]) -> None:
-        """Runs the shards that run alone (of speed), or the others, at most
+        """Runs the shards that run alone (they measure time), or the others, at most
         `jobs` at once."""
         mine = [shard for shard in self.todo if shard.alone == alone]
         if not mine:
@@ -198,6 +201,9 @@ class Sweep:
 def sweep(options: argparse.Namespace, out: Path) -> int:
     started = time.monotonic()
     shards = list_shards(options.pitbench, options.profile)
+    if options.isa_up_to:
+        shards = restricted(shards, options.isa_up_to)
+    every = shards
     one = options.shard is not None or options.index is not None
     if options.index is not None:
         if not 0 <= options.index < len(shards):
@@ -222,11 +228,13 @@ def sweep(options: argparse.Namespace, out: Path) -> int:
             locks.append(stack.enter_context(folder_lock(file, fcntl.LOCK_EX, busy)))
             with open(out / ".lock-prepare", "w") as preparing:
                 fcntl.flock(preparing, fcntl.LOCK_EX)
-                prepare(options.pitbench, options.profile, out)
+                prepare(
+                    options.pitbench, options.profile, out, every, options.isa_up_to
+                )
             remove_temporaries(out, name)
         else:
             remove_temporaries(out)
-            prepare(options.pitbench, options.profile, out)
+            prepare(options.pitbench, options.profile, out, every, options.isa_up_to)
 
         jobs = options.jobs or len(os.sched_getaffinity(0))
         work = Sweep(options.pitbench, out, shards)
@@ -264,7 +272,8 @@ def main(arguments: list[str]) -> int:
     options.pitbench = os.path.abspath(options.pitbench)
     try:
         if options.print_run_name:
-            print(run_name(describe_machine(options.pitbench), options.profile))
+            machine = describe_machine(options.pitbench)
+            print(run_name(machine, options.profile, options.isa_up_to))
             return 0
         return sweep(options, options.out)
     except Refusal as refusal:

@@ -2,101 +2,20 @@
 
 #include <hwy/targets.h>
 
+#include <cstdint>
+
 #if HWY_ARCH_ARM_A64
 #include <sys/auxv.h>
 #endif
 
 namespace pitbench {
 
-// What the method files export, ISA by ISA.
-#define PITBENCH_METHOD(key) std::span<const Kernel> key();
-#define PITBENCH_METHOD_AUTOVEC(key) PITBENCH_METHOD(key)
-#define PITBENCH_METHOD_FAST_MATH(key)
-namespace scalar {
-#include "kernels/methods.inc"
-}
-#if HWY_ARCH_X86
-namespace ssse3 {
-#include "kernels/methods.inc"
-}
-namespace sse4 {
-#include "kernels/methods.inc"
-}
-namespace avx2 {
-#include "kernels/methods.inc"
-}
-namespace avx512 {
-#include "kernels/methods.inc"
-}
-#elif HWY_ARCH_ARM_A64
-namespace neon {
-#include "kernels/methods.inc"
-}
-namespace sve {
-#include "kernels/methods.inc"
-}
-namespace sve2 {
-#include "kernels/methods.inc"
-}
-#endif
-#undef PITBENCH_METHOD
-#if HWY_ARCH_X86
-#define PITBENCH_METHOD(key)
-namespace autovec_v2 {
-#undef PITBENCH_METHOD_AUTOVEC
-#define PITBENCH_METHOD_AUTOVEC(key) std::span<const Kernel> key();
-#include "kernels/methods.inc"
-}  // namespace autovec_v2
-namespace autovec_v3 {
-#undef PITBENCH_METHOD_FAST_MATH
-#define PITBENCH_METHOD_FAST_MATH(key) std::span<const Kernel> key();
-#include "kernels/methods.inc"
-#undef PITBENCH_METHOD_FAST_MATH
-#define PITBENCH_METHOD_FAST_MATH(key)
-}  // namespace autovec_v3
-namespace autovec_v4 {
-#include "kernels/methods.inc"
-}
-#undef PITBENCH_METHOD
-#endif
-#undef PITBENCH_METHOD_AUTOVEC
-#undef PITBENCH_METHOD_FAST_MATH
+#define PITBENCH_KERNEL Kernel
+#define PITBENCH_FUNCTION(key) key
+#define PITBENCH_METHODS "kernels/methods.inc"
+#include "kernels/join_kernels.inc"
 
 namespace {
-
-std::vector<Kernel> JoinKernels() {
-  std::vector<Kernel> all;
-  const auto add = [&all](std::span<const Kernel> rows) {
-    all.insert(all.end(), rows.begin(), rows.end());
-  };
-#if HWY_ARCH_X86
-#define PITBENCH_METHOD(key) \
-  add(scalar::key());        \
-  PITBENCH_X86_SIMD(key)
-#define PITBENCH_METHOD_AUTOVEC(key) \
-  add(scalar::key());                \
-  add(autovec_v2::key());            \
-  add(autovec_v3::key());            \
-  add(autovec_v4::key());            \
-  PITBENCH_X86_SIMD(key)
-#define PITBENCH_METHOD_FAST_MATH(key) add(autovec_v3::key());
-#define PITBENCH_X86_SIMD(key) \
-  add(ssse3::key());           \
-  add(sse4::key());            \
-  add(avx2::key());            \
-  add(avx512::key());
-#elif HWY_ARCH_ARM_A64
-#define PITBENCH_METHOD(key) \
-  add(scalar::key());        \
-  add(neon::key());          \
-  add(sve::key());           \
-  add(sve2::key());
-#define PITBENCH_METHOD_AUTOVEC(key) PITBENCH_METHOD(key)
-#define PITBENCH_METHOD_FAST_MATH(key)
-#endif
-#include "kernels/methods.inc"
-  return all;
-}
 
 #if HWY_ARCH_X86
 bool HighwayRuns(std::int64_t target) {
@@ -104,28 +23,28 @@ bool HighwayRuns(std::int64_t target) {
 }
 #endif
 
-}  // namespace
+constexpr bool kAll =
+#if defined(PITBENCH_FEWER_KERNELS)
+    false;
+#else
+    true;
+#endif
 
-std::span<const Kernel> AllKernels() {
-  static const std::vector<Kernel> all = JoinKernels();
-  return all;
-}
-
-bool RunsHere(Isa isa) {
+bool AskCpu(Isa isa) {
   switch (isa) {
     case Isa::kScalar:
       return true;
 #if HWY_ARCH_X86
     case Isa::kAutovecV2:
-      return __builtin_cpu_supports("x86-64-v2") != 0;
+      return kAll && __builtin_cpu_supports("x86-64-v2") != 0;
     case Isa::kAutovecV3:
       return __builtin_cpu_supports("x86-64-v3") != 0;
     case Isa::kAutovecV4:
-      return __builtin_cpu_supports("x86-64-v4") != 0;
+      return kAll && __builtin_cpu_supports("x86-64-v4") != 0;
     case Isa::kSsse3:
       return HighwayRuns(HWY_SSSE3);
     case Isa::kSse4:
-      return HighwayRuns(HWY_SSE4);
+      return kAll && HighwayRuns(HWY_SSE4);
     case Isa::kAvx2:
       return HighwayRuns(HWY_AVX2);
     case Isa::kAvx512:
@@ -138,9 +57,32 @@ bool RunsHere(Isa isa) {
     case Isa::kSve2:
       return (getauxval(AT_HWCAP2) & HWCAP2_SVE2) != 0;
 #endif
+    case Isa::kLibrary:
+      return true;
     default:
       return false;
   }
+}
+
+// Bit k: the ISA of value k.
+std::uint32_t AskCpuOfAll() {
+  std::uint32_t runs = 0;
+  for (int k = 0; k <= static_cast<int>(Isa::kCounting); ++k) {
+    if (AskCpu(static_cast<Isa>(k))) runs |= std::uint32_t{1} << k;
+  }
+  return runs;
+}
+
+}  // namespace
+
+std::span<const Kernel> AllKernels() {
+  static const std::vector<Kernel> all = JoinKernels();
+  return all;
+}
+
+bool RunsHere(Isa isa) {
+  static const std::uint32_t runs = AskCpuOfAll();
+  return (runs >> static_cast<unsigned>(isa) & 1) != 0;
 }
 
 std::string_view Name(Scalar scalar) {
@@ -151,6 +93,10 @@ std::string_view Name(Scalar scalar) {
       return "f64";
     case Scalar::kI32:
       return "i32";
+    case Scalar::kI16:
+      return "i16";
+    case Scalar::kU8:
+      return "u8";
   }
   return "?";
 }
@@ -179,6 +125,10 @@ std::string_view Name(Isa isa) {
       return "sve";
     case Isa::kSve2:
       return "sve2";
+    case Isa::kCounting:
+      return "counting";
+    case Isa::kLibrary:
+      return "library";
   }
   return "?";
 }
@@ -192,6 +142,8 @@ std::string_view Name(Loop loop, Output output) {
       return weights ? "one_point_weights" : "one_point";
     case Loop::kPairs:
       return weights ? "pairs_weights" : "pairs";
+    case Loop::kOneTriangleAos:
+      return "one_triangle_aos";
     case Loop::kGrid:
       return "grid";
   }
@@ -208,6 +160,10 @@ std::string_view Name(Boundary boundary) {
       return "half_open";
     case Boundary::kTopLeft:
       return "top_left";
+    case Boundary::kBottomLeft:
+      return "bottom_left";
+    case Boundary::kPerturbed:
+      return "perturbed";
   }
   return "?";
 }

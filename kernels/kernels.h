@@ -14,7 +14,7 @@
 
 namespace pitbench {
 
-enum class Scalar { kF32, kF64, kI32 };
+enum class Scalar { kF32, kF64, kI32, kI16, kU8 };
 
 // What a kernel was compiled for, narrowest first.
 enum class Isa {
@@ -29,15 +29,18 @@ enum class Isa {
   kNeon,
   kSve,
   kSve2,
+  kLibrary,   // none of ours: a call into another library, see peers/
+  kCounting,  // in kernels/counting alone: counts its operations, never timed
 };
 
 // The shape of the work: which side is batched.
 enum class Loop {
-  kOneTriangle,  // triangle 0 against n points
-  kOnePoint,     // point 0 against n triangles
-  kPairs,        // point i against triangle i
-  kGrid,         // n triangles, each against every pixel of a width × height
-                 // grid whose pixel (column x, row y) is the point (x, y)
+  kOneTriangle,     // triangle 0 against n points
+  kOnePoint,        // point 0 against n triangles
+  kPairs,           // point i against triangle i
+  kOneTriangleAos,  // kOneTriangle with x and y of each point side by side
+  kGrid,  // n triangles, each against every pixel of a width × height
+          // grid whose pixel (column x, row y) is the point (x, y)
 };
 
 enum class Output { kInside, kWeights };
@@ -51,6 +54,10 @@ enum class Boundary {
               // an edge or a vertex exactly one contains it. With y upwards: a
               // left edge has the triangle on its right, a top edge is
               // horizontal and has the triangle below.
+  kBottomLeft,  // the same with bottom edges in the place of top edges
+  kPerturbed,   // rays alone: those that a ray hits which is turned a little,
+                // all rays in one way; of the triangles of a closed surface
+                // that meet in an edge or a vertex, one a crossing
 };
 
 // The part of the triangle that a method accepts.
@@ -73,6 +80,11 @@ struct Method {
   // Answers may be wrong within this distance of the boundary, along x and
   // along y, in sides of the triangle's bounding box.
   double snap_distance = 0;
+  // Accepts points outside as well, within this distance of the boundary along
+  // x or along y, as what draws an outline does.
+  double edge_width = 0;
+  // Must not be asked about NaN and infinity.
+  bool finite_only = false;
   // What is wrong with the method, where it is kept as a warning and may break
   // the contract; empty for all others.
   std::string_view warning = "";
@@ -88,16 +100,18 @@ struct Batch {
   const T* by;
   const T* cx;
   const T* cy;
-  const T* px;  // points; unused (may be null) in loop grid
-  const T* py;
+  const T* px;  // points; unused (may be null) in loops grid and
+  const T* py;  // one_triangle_aos
   std::size_t n;
   std::size_t width = 0;  // loop grid only, in pixels
   std::size_t height = 0;
+  const T* pxy = nullptr;  // loop one_triangle_aos only: x, y, x, y, … of the
+                           // points, 2n elements
 };
 
 // What a kernel writes. `bits`: one bit a result, least significant first,
 // bits past the last result are 0.
-//   one_triangle, one_point, pairs: BitBytes(n) bytes.
+//   one_triangle, one_triangle_aos, one_point, pairs: BitBytes(n) bytes.
 //   grid: n · height rows of BitBytes(width) bytes, triangle by triangle.
 // `w`: the barycentric weights of A, B and C, n values each, only where the
 // kernel's output is kWeights; NaN where the triangle is degenerate.
@@ -122,6 +136,8 @@ struct Kernel {
   KernelFunction<float> f32 = nullptr;
   KernelFunction<double> f64 = nullptr;
   KernelFunction<std::int32_t> i32 = nullptr;
+  KernelFunction<std::int16_t> i16 = nullptr;
+  KernelFunction<std::uint8_t> u8 = nullptr;
 };
 
 template <class T>
@@ -130,10 +146,18 @@ constexpr Scalar ScalarOf() {
     return Scalar::kF32;
   } else if constexpr (std::is_same_v<T, double>) {
     return Scalar::kF64;
-  } else {
-    static_assert(std::is_same_v<T, std::int32_t>);
+  } else if constexpr (std::is_same_v<T, std::int32_t>) {
     return Scalar::kI32;
+  } else if constexpr (std::is_same_v<T, std::int16_t>) {
+    return Scalar::kI16;
+  } else {
+    static_assert(std::is_same_v<T, std::uint8_t>);
+    return Scalar::kU8;
   }
+}
+
+constexpr bool IsFloat(Scalar scalar) {
+  return scalar == Scalar::kF32 || scalar == Scalar::kF64;
 }
 
 // The function of a kernel whose scalar is T.
@@ -143,8 +167,13 @@ constexpr KernelFunction<T> FunctionOf(const Kernel& kernel) {
     return kernel.f32;
   } else if constexpr (std::is_same_v<T, double>) {
     return kernel.f64;
-  } else {
+  } else if constexpr (std::is_same_v<T, std::int32_t>) {
     return kernel.i32;
+  } else if constexpr (std::is_same_v<T, std::int16_t>) {
+    return kernel.i16;
+  } else {
+    static_assert(std::is_same_v<T, std::uint8_t>);
+    return kernel.u8;
   }
 }
 
@@ -152,7 +181,8 @@ constexpr KernelFunction<T> FunctionOf(const Kernel& kernel) {
 // by method (as in methods.inc), ISA, scalar, loop, output.
 std::span<const Kernel> AllKernels();
 
-// Whether this CPU and operating system can run code compiled for `isa`.
+// Whether this CPU and operating system can run code compiled for `isa`, and
+// the build has some. Asks the CPU once, at the first call.
 bool RunsHere(Isa isa);
 
 std::string_view Name(Scalar scalar);

@@ -15,9 +15,9 @@
 //                                     const;
 //   };
 //
-// A triangle that is degenerate or not finite contains nothing. A point that
-// is not finite is outside where D has one lane; where it has more, the loop
-// sees to that (kernels/loops).
+// A triangle that is degenerate or not finite contains nothing, and a point
+// that is not finite is outside: by arithmetic, lane by lane, so without a
+// test.
 #if defined(PITBENCH_KERNELS_METHOD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PITBENCH_KERNELS_METHOD_INL_H_
 #undef PITBENCH_KERNELS_METHOD_INL_H_
@@ -60,15 +60,41 @@ using hn::Zero;
 template <class T>
 using OneLane = hn::CappedTag<T, 1>;
 
+// As many as the ISA has, but no more than the bits of one word.
 template <class T>
-using Lanes = hn::ScalableTag<T>;
+using Lanes = std::conditional_t<(sizeof(T) < 4), hn::CappedTag<T, 64>,
+                                 hn::ScalableTag<T>>;
+
+// A number that a set-up computes with; one that counts, where that is asked.
+#if defined(PITBENCH_COUNTING)
+using hn::Number;
+#else
+template <class T>
+using Number = T;
+#endif
 
 // No vector of tag D has more lanes than this.
 template <class D>
 inline constexpr std::size_t kMaxLanes = hn::MaxLanes(D());
 
+// `v`, to be kept in a register. Without this the compiler makes what was
+// loaded an operand in memory of every instruction that uses it, and reading it
+// again each time takes longer than the arithmetic.
+template <class V>
+HWY_INLINE V InRegister(V v) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && !defined(PITBENCH_COUNTING)
+#if HWY_TARGET == HWY_AVX3
+  asm("" : "+v"(v.raw));
+#else
+  asm("" : "+x"(v.raw));
+#endif
+#endif
+  return v;
+}
+
 // The triangles from which a method is set up: element i of each array is lane
-// i. Every array holds at least as many elements as D has lanes.
+// i. Every array holds at least as many elements as D has lanes. Vectors of
+// known size are loaded once.
 template <class D>
 struct Triangles {
   using T = TFromD<D>;
@@ -80,12 +106,26 @@ struct Triangles {
   const T* cx;
   const T* cy;
 
+#if HWY_HAVE_SCALABLE
   HWY_INLINE Vec<D> Ax() const { return hn::LoadU(d, ax); }
   HWY_INLINE Vec<D> Ay() const { return hn::LoadU(d, ay); }
   HWY_INLINE Vec<D> Bx() const { return hn::LoadU(d, bx); }
   HWY_INLINE Vec<D> By() const { return hn::LoadU(d, by); }
   HWY_INLINE Vec<D> Cx() const { return hn::LoadU(d, cx); }
   HWY_INLINE Vec<D> Cy() const { return hn::LoadU(d, cy); }
+#else
+  Vec<D> loaded[6] = {
+      InRegister(hn::LoadU(d, ax)), InRegister(hn::LoadU(d, ay)),
+      InRegister(hn::LoadU(d, bx)), InRegister(hn::LoadU(d, by)),
+      InRegister(hn::LoadU(d, cx)), InRegister(hn::LoadU(d, cy))};
+
+  HWY_INLINE Vec<D> Ax() const { return loaded[0]; }
+  HWY_INLINE Vec<D> Ay() const { return loaded[1]; }
+  HWY_INLINE Vec<D> Bx() const { return loaded[2]; }
+  HWY_INLINE Vec<D> By() const { return loaded[3]; }
+  HWY_INLINE Vec<D> Cx() const { return loaded[4]; }
+  HWY_INLINE Vec<D> Cy() const { return loaded[5]; }
+#endif
 };
 
 // A value that the set-up keeps for the points. One lane is kept as a number
@@ -126,7 +166,7 @@ class Held {
 #if HWY_HAVE_SCALABLE
   std::conditional_t<kOneLane, T, T[HWY_MAX_BYTES / sizeof(T)]> kept_;
 #else
-  std::conditional_t<kOneLane, T, Vec<D>> kept_;
+  std::conditional_t<kOneLane, Number<T>, Vec<D>> kept_;
 #endif
 };
 
@@ -169,14 +209,45 @@ HWY_INLINE Vec<D> DoubleArea(const Triangles<D>& t) {
              Mul(Sub(t.By(), ay), Sub(t.Cx(), ax)));
 }
 
+#if HWY_TARGET == HWY_AVX3 && !defined(PITBENCH_COUNTING)
+// Where v is finite and below 0.
+inline constexpr int kFiniteBelowZero = 0x40;
+HWY_INLINE hn::Mask512<float> FiniteBelowZero(hn::Vec512<float> v) {
+  return {_mm512_fpclass_ps_mask(v.raw, kFiniteBelowZero)};
+}
+HWY_INLINE hn::Mask512<double> FiniteBelowZero(hn::Vec512<double> v) {
+  return {_mm512_fpclass_pd_mask(v.raw, kFiniteBelowZero)};
+}
+// The same in the lanes of `mask`.
+HWY_INLINE hn::Mask512<float> AndFiniteBelowZero(hn::Mask512<float> mask,
+                                                 hn::Vec512<float> v) {
+  return {_mm512_mask_fpclass_ps_mask(mask.raw, v.raw, kFiniteBelowZero)};
+}
+HWY_INLINE hn::Mask512<double> AndFiniteBelowZero(hn::Mask512<double> mask,
+                                                  hn::Vec512<double> v) {
+  return {_mm512_mask_fpclass_pd_mask(mask.raw, v.raw, kFiniteBelowZero)};
+}
+// Whether these take a vector of D: they spare a compare, and each compare
+// writes a mask, which is dear.
+template <class D>
+inline constexpr bool kHasFiniteBelowZero = sizeof(Vec<D>) == 64;
+#else
+template <class D>
+inline constexpr bool kHasFiniteBelowZero = false;
+#endif
+
 // Where `area` is neither 0 nor infinite nor NaN. An infinite or NaN coordinate
 // always makes DoubleArea infinite or NaN, so a method whose kept values are
 // all NaN elsewhere contains nothing then.
 template <class D>
 HWY_INLINE Mask<D> IsValidArea(D d, Vec<D> area) {
-  const auto size = Abs(area);
-  return And(Gt(size, Zero(d)),
-             Lt(size, Set(d, std::numeric_limits<TFromD<D>>::infinity())));
+  if constexpr (kHasFiniteBelowZero<D>) {
+    return FiniteBelowZero(hn::Or(area, Set(d, TFromD<D>{-0.0})));
+  } else {
+    const auto size = Abs(area);
+    return And(Gt(size, Zero(d)),
+               Lt(size, Set(d, std::numeric_limits<TFromD<D>>::infinity())));
+  }
 }
 
 // `value` where the area is valid, NaN elsewhere.
@@ -193,9 +264,14 @@ HWY_INLINE Vec<D> Winding(D d, Vec<D> area) {
   return ValidOrNaN(d, area, hn::CopySignToAbs(Set(d, TFromD<D>{1}), area));
 }
 
-// `mask` and a ≥ b (≤, <); false where a or b is NaN. AVX-512 compares under a
-// mask, which spares the And of two mask registers and the port it needs.
-#if HWY_TARGET == HWY_AVX3
+// `mask` and a ≥ b (≤, <); false where a or b is NaN. AVX-512
+// compares under a mask, which spares the And of two mask registers and the
+// port it needs.
+#if defined(PITBENCH_COUNTING)
+using hn::AndGe;
+using hn::AndLe;
+using hn::AndLt;
+#elif HWY_TARGET == HWY_AVX3
 template <int kPredicate>
 HWY_INLINE hn::Mask512<float> AndCompare(hn::Mask512<float> mask,
                                          hn::Vec512<float> a,
@@ -235,14 +311,50 @@ HWY_INLINE M AndLt(M mask, V a, V b) {
 }
 #endif
 
-// Whether u ≥ 0, v ≥ 0 and w ≥ 0; false where any is NaN.
+// IsValidArea in the lanes of `mask`.
+template <class D>
+HWY_INLINE Mask<D> AndValidArea(D d, Mask<D> mask, Vec<D> area) {
+  if constexpr (kHasFiniteBelowZero<D>) {
+    return AndFiniteBelowZero(mask, hn::Or(area, Set(d, TFromD<D>{-0.0})));
+  } else {
+    const auto size = Abs(area);
+    const auto infinity = Set(d, std::numeric_limits<TFromD<D>>::infinity());
+    return AndLt(AndLt(mask, Zero(d), size), size, infinity);
+  }
+}
+
+// min(a, b) as x86 has it: b where either is NaN. Spelt out where Highway's Min
+// does something else with NaN, so that all ISAs give the same bits.
+template <class V>
+HWY_INLINE V MinOrSecond(V a, V b) {
+#if defined(PITBENCH_COUNTING) || (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR)
+  return hn::Min(a, b);
+#else
+  return IfThenElse(Lt(a, b), a, b);
+#endif
+}
+
+// max(a, b) in the same way.
+template <class V>
+HWY_INLINE V MaxOrSecond(V a, V b) {
+#if defined(PITBENCH_COUNTING) || (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR)
+  return hn::Max(a, b);
+#else
+  return IfThenElse(Gt(a, b), a, b);
+#endif
+}
+
+// Whether u ≥ 0, v ≥ 0 and w ≥ 0; false where v or w is NaN. Where only u is,
+// it is v and w that decide: a method must see to it that they do not then
+// accept a point that is not finite. A minimum and two compares take less time
+// than three compares that depend on each other through their masks.
 template <class D>
 HWY_INLINE Mask<D> AllNonNegative(D d, Vec<D> u, Vec<D> v, Vec<D> w) {
   if constexpr (std::is_integral_v<TFromD<D>>) {
     return Gt(hn::Or(hn::Or(u, v), w), Set(d, TFromD<D>{-1}));
   } else {
     const auto zero = Zero(d);
-    return AndGe(AndGe(Ge(u, zero), v, zero), w, zero);
+    return AndGe(Ge(MinOrSecond(u, v), zero), w, zero);
   }
 }
 
@@ -250,12 +362,6 @@ HWY_INLINE Mask<D> AllNonNegative(D d, Vec<D> u, Vec<D> v, Vec<D> w) {
 template <class V>
 HWY_INLINE auto AllAtLeast(V u, V least_u, V v, V least_v, V w, V least_w) {
   return AndGe(AndGe(Ge(u, least_u), v, least_v), w, least_w);
-}
-
-// Whether both coordinates are neither infinite nor NaN.
-template <class D>
-HWY_INLINE Mask<D> IsFinite(Vec<D> x, Vec<D> y) {
-  return hn::Eq(Add(Sub(x, x), Sub(y, y)), Zero(D()));
 }
 
 }  // namespace PITBENCH_ISA

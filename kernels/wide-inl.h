@@ -28,8 +28,8 @@ using Wide = typename WideOf<E>::Tag;
 
 template <class W>
 HWY_INLINE Vec<W> PromotedNumber(W w, const Held<OneLane<float>>& held) {
-  const float number = hn::GetLane(held.In(OneLane<float>()));
-  return Set(w, static_cast<double>(number));
+  const Number<float> number = hn::GetLane(held.In(OneLane<float>()));
+  return Set(w, static_cast<Number<double>>(number));
 }
 
 // Each of these promotes its half of a vector, or of what a set-up has kept: a
@@ -71,7 +71,9 @@ struct UpperHalfOf {
 };
 
 // The masks of both halves as one.
-#if HWY_TARGET == HWY_AVX3
+#if defined(PITBENCH_COUNTING)
+using hn::JoinMasks;
+#elif HWY_TARGET == HWY_AVX3
 HWY_INLINE hn::Mask512<float> JoinMasks(Lanes<float>, hn::Mask512<double> upper,
                                         hn::Mask512<double> lower) {
   return {static_cast<__mmask16>(_mm512_kunpackb(upper.raw, lower.raw))};

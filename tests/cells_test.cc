@@ -14,17 +14,31 @@
 namespace pitbench {
 namespace {
 
-std::vector<std::string> CellNames(const std::vector<ProfileScene>& scenes,
-                                   const std::string& filter = "") {
-  const std::regex wanted(filter);
-  std::vector<std::string> names;
-  for (const ProfileScene& scene : scenes) {
-    for (const Loop loop : scene.loops) {
-      for (const Kernel* kernel : KernelsFor(scene, loop, wanted)) {
-        names.push_back(CellName(*kernel, scene.name));
+template <class Scenes>
+void AddCellNames(const Scenes& scenes, const std::regex& wanted,
+                  std::vector<std::string>& names) {
+  for (const auto& scene : scenes) {
+    for (const auto loop : scene.loops) {
+      for (const auto* kernel : KernelsFor(scene, loop, wanted)) {
+        names.push_back(CellName(*kernel, scene));
       }
     }
   }
+}
+
+// Those of points and those of rays.
+std::vector<std::string> SpeedNames(const Profile& profile,
+                                    const std::string& filter = "") {
+  std::vector<std::string> names;
+  AddCellNames(profile.speed, std::regex(filter), names);
+  AddCellNames(profile.ray_speed, std::regex(filter), names);
+  return names;
+}
+std::vector<std::string> AccuracyNames(const Profile& profile,
+                                       const std::string& filter = "") {
+  std::vector<std::string> names;
+  AddCellNames(profile.accuracy, std::regex(filter), names);
+  AddCellNames(profile.ray_accuracy, std::regex(filter), names);
   return names;
 }
 
@@ -34,8 +48,7 @@ class ProfileTest : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(ProfileTest, EveryCellHasANameOfItsOwn) {
-  for (const auto& scenes : {profile_.speed, profile_.accuracy}) {
-    const std::vector<std::string> names = CellNames(scenes);
+  for (const auto& names : {SpeedNames(profile_), AccuracyNames(profile_)}) {
     EXPECT_GT(names.size(), 50u);
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(),
               names.size());
@@ -44,16 +57,18 @@ TEST_P(ProfileTest, EveryCellHasANameOfItsOwn) {
 
 TEST_P(ProfileTest, EveryCellBelongsToExactlyOneShard) {
   std::map<std::string, std::size_t> cells_of;  // by name of shard
-  for (const auto& [kind, scenes] :
-       {std::pair{"speed", profile_.speed}, {"accuracy", profile_.accuracy}}) {
+  // One ISA: no filter looks at it.
+  const std::string one = "/scalar(/threads)?$";
+  for (const auto& [kind, names] :
+       {std::pair{"speed", SpeedNames(profile_, one)},
+        {"accuracy", AccuracyNames(profile_, one)}}) {
     std::vector<std::pair<std::string, std::regex>> filters;
     for (const Shard& shard : Shards(profile_)) {
       if (shard.kind != kind) continue;
       filters.emplace_back(shard.name, std::regex(shard.filter));
       cells_of.emplace(shard.name, 0);
     }
-    // One ISA: no filter looks at it.
-    for (const std::string& name : CellNames(scenes, "/scalar$")) {
+    for (const std::string& name : names) {
       std::size_t shards = 0;
       for (const auto& [shard, filter] : filters) {
         if (!std::regex_search(name, filter)) continue;
@@ -63,8 +78,9 @@ TEST_P(ProfileTest, EveryCellBelongsToExactlyOneShard) {
       ASSERT_EQ(shards, 1u) << kind << " " << name;
     }
   }
-  EXPECT_EQ(cells_of.size() + 1, Shards(profile_).size())
-      << "names repeat, or there is more than one shard without cells: maps";
+  EXPECT_EQ(cells_of.size() + 4, Shards(profile_).size())
+      << "names repeat, or there are other shards without cells than limits, "
+         "maps, operations and instructions";
   for (const auto& [shard, cells] : cells_of) EXPECT_GT(cells, 0u) << shard;
 }
 
@@ -73,6 +89,13 @@ TEST_P(ProfileTest, MapsAreOneShard) {
   EXPECT_EQ(shards.back().name, "maps");
   EXPECT_EQ(shards.back().kind, "maps");
   EXPECT_TRUE(std::regex_search("any name", std::regex(shards.back().filter)));
+}
+
+TEST_P(ProfileTest, LimitsAreTheFirstShard) {
+  const Shard first = Shards(profile_).front();
+  EXPECT_EQ(first.name, "limits");
+  EXPECT_EQ(first.kind, "limits");
+  EXPECT_TRUE(std::regex_search("load/L1/avx2", std::regex(first.filter)));
 }
 
 TEST_P(ProfileTest, EverySceneOfAccuracyCanBeMade) {
@@ -84,6 +107,8 @@ TEST_P(ProfileTest, EverySceneOfAccuracyCanBeMade) {
       };
       EXPECT_GT(scene.scalar == Scalar::kF32   ? made(float{})
                 : scene.scalar == Scalar::kF64 ? made(double{})
+                : scene.scalar == Scalar::kI16 ? made(std::int16_t{})
+                : scene.scalar == Scalar::kU8  ? made(std::uint8_t{})
                                                : made(std::int32_t{}),
                 0u)
           << scene.name;
@@ -95,6 +120,11 @@ TEST_P(ProfileTest, EveryFamilyIsJudged) {
   std::set<std::string> families;
   for (const auto& scenes : {profile_.speed, profile_.accuracy}) {
     for (const ProfileScene& scene : scenes) {
+      families.insert(ParseScene(scene.name).family);
+    }
+  }
+  for (const auto& scenes : {profile_.ray_speed, profile_.ray_accuracy}) {
+    for (const RayProfileScene& scene : scenes) {
       families.insert(ParseScene(scene.name).family);
     }
   }
@@ -120,6 +150,28 @@ TEST(CellsTest, QuickTimesAndJudgesEveryKernel) {
       }
     }
     for (const Kernel& kernel : AllKernels()) {
+      EXPECT_EQ(met.contains(&kernel), RunsHere(kernel.isa))
+          << CellName(kernel, "*");
+    }
+  }
+}
+
+TEST(CellsTest, QuickTimesAndJudgesEveryKernelOfRays) {
+  const Profile& quick = FindProfile("quick");
+  for (const auto* scenes : {&quick.ray_speed, &quick.ray_accuracy}) {
+    std::set<const RayKernel*> met;
+    for (const RayProfileScene& scene : *scenes) {
+      for (const RayLoop loop : scene.loops) {
+        for (const RayKernel* kernel :
+             KernelsFor(scene, loop, std::regex(""))) {
+          met.insert(kernel);
+        }
+      }
+    }
+    // t, u and v beside the bit take little time: quick judges them alone.
+    const bool timed = scenes == &quick.ray_speed;
+    for (const RayKernel& kernel : AllRayKernels()) {
+      if (timed && kernel.output == RayOutput::kTuv) continue;
       EXPECT_EQ(met.contains(&kernel), RunsHere(kernel.isa))
           << CellName(kernel, "*");
     }

@@ -44,14 +44,14 @@ check() {
 readonly run=$work/results/tiny
 sweep=("$python" harness/sweep.py --pitbench "$pitbench" --profile tiny --out "$run")
 
-shard_files() { find "$run" -maxdepth 1 -regex '.*/\(speed-.*\|accuracy-.*\|maps\)\.json'; }
+shard_files() { find "$run" -maxdepth 1 -regex '.*/\(limits\|speed-.*\|accuracy-.*\|maps\|operations\|instructions\)\.json'; }
 
 # The commands of the shards that the sweep is running now.
 running_shards() {
   local child
   # shellcheck disable=SC2013  # one line of words
   for child in $(cat "/proc/$1/task/$1/children" 2>/dev/null); do
-    tr '\0' ' ' <"/proc/$child/cmdline" 2>/dev/null | grep -E ' (speed|accuracy|maps) ' || true
+    tr '\0' ' ' <"/proc/$child/cmdline" 2>/dev/null | grep -E ' (limits|speed|accuracy|maps|operations|instructions) ' || true
   done
 }
 
@@ -154,6 +154,11 @@ check 'Chromium loads the report without a console message' loads_quietly "$page
 check 'and would have noticed one' notices_a_console_error
 check 'the report of the same run is the same, byte for byte' report_again_is_the_same
 
+# --- Noise ---------------------------------------------------------------------
+
+check 'beside a busy process on its core a run is noisy' \
+  "$python" tests/busy_core.py "$pitbench" "$work/busy"
+
 # --- The command line: good input ----------------------------------------------
 
 readonly header=ax,ay,bx,by,cx,cy,px,py
@@ -201,7 +206,7 @@ knows_both_truths() {
 
 help_has_examples() {
   local command
-  for command in '' classify speed accuracy maps hunt machine shards list; do
+  for command in '' classify speed accuracy limits maps operations instructions hunt machine shards list; do
     # shellcheck disable=SC2086  # '' is no argument
     "$pitbench" $command --help | tee -a "$work/help" | grep -q . || return
   done
@@ -298,6 +303,19 @@ hunts() {
     [[ $(wc -l <"$work/hunt.csv") -ge 2 ]]
 }
 check 'hunt finds wrong answers and prints what it stores' hunts
+hunts_rays() {
+  "$pitbench" hunt --method plane_gram --scalar f32 --seconds 0.2 >"$work/rays.csv" &&
+    [[ $(sed -n 2p "$work/rays.csv") == plane_gram,f32,*,hit,miss,* ]] &&
+    "$pitbench" hunt --rays --method exact --seconds 0.1 | grep -q ',none_found,,$'
+}
+check 'hunt finds the rays on which a ray method is wrong, and none of an exact one' hunts_rays
+verifies_rays() {
+  "$pitbench" verify --rays --method exact --points 2000 2>/dev/null |
+    grep -q ' rays (.*, 0 wrong$' || return
+  ! "$pitbench" verify --method plane_gram --points 2000 >"$work/answers" 2>"$work/errors" &&
+    grep -q 'plane_gram on .* which is ' "$work/errors"
+}
+check 'verify finds exact rays right and says of which ray another is wrong' verifies_rays
 check 'hunt refuses to hunt for no time' refused 'seconds' \
   hunt --method uv_projection --seconds 0
 check 'hunt refuses a time that is no number' refused 'seconds' \
@@ -311,7 +329,7 @@ check 'hunt refuses to write to a folder' refused 'bad' \
 
 readonly quick_cell='^one_triangle/uniform.*/cross_product/f32/scalar$'
 for place in "$bad/no/such/folder/out.json" "$bad/word.csv/out.json" "$bad"; do
-  for kind in speed accuracy maps; do
+  for kind in speed accuracy limits maps operations instructions; do
     check "$kind refuses to write to ${place#"$work/"}" refused "${place##*/}" \
       "$kind" --profile tiny --filter "$quick_cell" --out "$place"
   done

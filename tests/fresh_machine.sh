@@ -3,27 +3,30 @@
 # docker/packages.txt lists: a missing package shows here and nowhere else.
 #
 # usage: tests/fresh_machine.sh [--keep] [--tarball FILE] [FOLDER [COMMAND...]]
+#        tests/fresh_machine.sh --base FOLDER
 #
 # As root. Debootstraps into FOLDER (by default a new temporary one, about
 # 5 GB by the end), clones HEAD into it and runs there each COMMAND, by default
 # './reproduce report' and './reproduce test'. A FOLDER that holds a system
 # already is used as it is. --keep leaves the folder; --tarball caches the
-# downloaded base packages in FILE. Wall times are printed at the end.
+# downloaded base packages in FILE. Wall times are printed at the end. --base
+# only makes the system and leaves it (docker/build_image.sh makes an image of it).
 # shellcheck disable=SC2317  # functions reached through timed()
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly here suite=bookworm
-keep=0 tarball=''
+keep=0 base_only=0 tarball=''
 while [[ ${1-} == --* ]]; do
   case $1 in
     --keep) keep=1 ;;
+    --base) base_only=1 keep=1 ;;
     --tarball)
       tarball=$(realpath -m "${2:?--tarball needs a file}")
       shift
       ;;
     *)
-      sed -n '2,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+      sed -n '2,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
       exit 2
       ;;
   esac
@@ -146,6 +149,7 @@ inside() {
 failed=0
 timed debootstrap bootstrap
 copy_apt_setup
+((!base_only)) || exit 0
 mount_kernel_files
 timed clone copy_repository
 for command in "${commands[@]}"; do

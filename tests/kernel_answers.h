@@ -8,7 +8,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <ostream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,32 +19,38 @@
 
 namespace pitbench {
 
-// The kernels that run here and for which `wanted(kernel)` holds, but for the
-// methods that are kept as a warning: those break the contract.
-template <class Predicate>
-std::vector<const Kernel*> KernelsWhere(Predicate wanted) {
-  std::vector<const Kernel*> found;
-  for (const Kernel& kernel : AllKernels()) {
+// Those of `all` kernels that run here and for which `wanted(kernel)` holds,
+// but for the methods that are kept as a warning: those break the contract.
+template <class K, class Predicate>
+std::vector<const K*> ThoseThatRun(std::span<const K> all, Predicate wanted) {
+  std::vector<const K*> found;
+  for (const K& kernel : all) {
     if (!RunsHere(kernel.isa) || !kernel.method.warning.empty()) continue;
     if (wanted(kernel)) found.push_back(&kernel);
   }
   return found;
 }
 
+template <class Predicate>
+std::vector<const Kernel*> KernelsWhere(Predicate wanted) {
+  return ThoseThatRun(AllKernels(), wanted);
+}
+
 inline std::vector<const Kernel*> FloatKernels() {
-  return KernelsWhere([](const Kernel& k) { return k.scalar != Scalar::kI32; });
+  return KernelsWhere([](const Kernel& k) { return IsFloat(k.scalar); });
 }
 
 // Those that answer but do not write weights: the weights kernels' bits are
 // held to theirs by kernel_contract_test.
 inline std::vector<const Kernel*> FloatInsideKernels() {
   return KernelsWhere([](const Kernel& k) {
-    return k.scalar != Scalar::kI32 && k.output == Output::kInside;
+    return IsFloat(k.scalar) && k.output == Output::kInside;
   });
 }
 
-// "edge_function_f32_avx512_pairs"
-inline std::string NameOf(const Kernel& kernel) {
+// "edge_function_f32_avx512_pairs"; of a Kernel or a RayKernel.
+template <class K>
+std::string NameOf(const K& kernel) {
   std::string name(kernel.method.key);
   name.append("_").append(Name(kernel.scalar));
   name.append("_").append(Name(kernel.isa));
@@ -51,15 +59,15 @@ inline std::string NameOf(const Kernel& kernel) {
 }
 
 struct KernelName {
-  std::string operator()(
-      const testing::TestParamInfo<const Kernel*>& info) const {
+  template <class K>
+  std::string operator()(const testing::TestParamInfo<const K*>& info) const {
     return NameOf(*info.param);
   }
 };
 
 // Calls test(T{}) with the kernel's scalar, which is f32 or f64.
-template <class Test>
-void WithFloatOf(const Kernel& kernel, const Test& test) {
+template <class K, class Test>
+void WithFloatOf(const K& kernel, const Test& test) {
   if (kernel.scalar == Scalar::kF32) {
     test(float{});
   } else {
@@ -74,10 +82,20 @@ inline bool DividesByArea(const Kernel& kernel) {
          kernel.method.key.starts_with("uv_projection");
 }
 
+// Whether the method divides by how far edges reach along x.
+inline bool DividesByRuns(const Kernel& kernel) {
+  return kernel.method.key.starts_with("edge_slope");
+}
+
 // Whether the method promises to be right for every finite input.
 inline bool IsExact(const Kernel& kernel) {
   return kernel.method.key.starts_with("exact");
 }
+
+template <class T>
+constexpr std::array<T, 3> kNotFinite = {std::numeric_limits<T>::quiet_NaN(),
+                                         std::numeric_limits<T>::infinity(),
+                                         -std::numeric_limits<T>::infinity()};
 
 // Answers for every triangle (row) and every point (column).
 template <class T>
@@ -99,7 +117,7 @@ template <class T>
 AnswerTable<T> AskAll(const Kernel& kernel,
                       const std::vector<Triangle<T>>& triangles,
                       const std::vector<Point<T>>& points) {
-  Scene<T> scene{.name = "", .loop = kernel.loop};
+  Scene<T> scene{.name = "", .loop = LoopOfScenes(kernel.loop)};
   if (kernel.loop == Loop::kPairs) {
     for (const Triangle<T>& t : triangles) {
       for (const Point<T>& p : points) {
@@ -111,7 +129,7 @@ AnswerTable<T> AskAll(const Kernel& kernel,
   } else {
     for (const Triangle<T>& t : triangles) scene.Add(t);
     for (const Point<T>& p : points) scene.Add(p);
-    const bool one_triangle = kernel.loop == Loop::kOneTriangle;
+    const bool one_triangle = scene.loop == Loop::kOneTriangle;
     const std::size_t calls = one_triangle ? triangles.size() : points.size();
     const std::size_t n = one_triangle ? points.size() : triangles.size();
     for (std::size_t k = 0; k < calls; ++k) {
@@ -125,6 +143,7 @@ AnswerTable<T> AskAll(const Kernel& kernel,
   if (writes_weights) {
     for (std::vector<T>& w : table.weights) w.resize(answers);
   }
+  const Array<T> xy = scene.PointsSideBySide();
   for (const Call& call : scene.calls) {
     std::vector<std::uint8_t> bits(BitBytes(call.n));
     std::array<std::vector<T>, 3> weights;
@@ -133,7 +152,7 @@ AnswerTable<T> AskAll(const Kernel& kernel,
       weights[k].resize(call.n);
       result.w[k] = weights[k].data();
     }
-    FunctionOf<T>(kernel)(scene.BatchOf(call), result);
+    FunctionOf<T>(kernel)(scene.BatchOf(call, xy.data()), result);
     for (std::size_t i = 0; i < call.n; ++i) {
       // One_point: items are triangles, and so rows of the table.
       const std::size_t at = kernel.loop == Loop::kOnePoint

@@ -15,11 +15,6 @@
 namespace pitbench {
 namespace {
 
-template <class T>
-constexpr std::array<T, 3> kNotFinite = {std::numeric_limits<T>::quiet_NaN(),
-                                         std::numeric_limits<T>::infinity(),
-                                         -std::numeric_limits<T>::infinity()};
-
 // Triangles with whole vertices from 0 to 2: all combinations of the signs of
 // the edges' coordinates, zeros included. And some large and small enough that
 // differences or products overflow or underflow.

@@ -1,14 +1,13 @@
 // Scenes are the same bits on every platform, and where they come from.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 #include "harness/scenes/generate.h"
 #include "harness/scenes/random.h"
+#include "tests/scene_hash.h"
 
 namespace pitbench {
 namespace {
@@ -44,21 +43,10 @@ TEST(RandomTest, NamesAndSeedsGiveDifferentSeeds) {
   EXPECT_NE(SeedFor("foobar", 1), SeedFor("foobar", 2));
 }
 
-// FNV-1a of all arrays, byte by byte, least significant byte first.
 template <class T>
 std::uint64_t Hash(const Scene<T>& scene) {
-  using Word = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const Array<T>* array : {&scene.ax, &scene.ay, &scene.bx, &scene.by,
-                                &scene.cx, &scene.cy, &scene.px, &scene.py}) {
-    for (const T value : *array) {
-      const auto word = std::bit_cast<Word>(value);
-      for (std::size_t byte = 0; byte < sizeof(T); ++byte) {
-        hash = (hash ^ (word >> (8 * byte) & 0xff)) * 0x100000001b3u;
-      }
-    }
-  }
-  return hash;
+  return HashOf({&scene.ax, &scene.ay, &scene.bx, &scene.by, &scene.cx,
+                 &scene.cy, &scene.px, &scene.py});
 }
 
 struct Golden {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,25 @@ TYPED_TEST(ScenesTest, UniformCallReadsAboutTheBytesOfItsName) {
       const std::size_t bytes = scene.BytesRead(scene.calls[0]);
       EXPECT_LE(bytes, kilobytes * 1024 + 6 * sizeof(TypeParam));
       EXPECT_GT(bytes, kilobytes * 1024 - 8 * sizeof(TypeParam));
+    }
+  }
+}
+
+// Every call has another triangle, so that each pays for its set-up.
+TYPED_TEST(ScenesTest, UniformCallHasAsManyItemsAsItsName) {
+  for (const Loop loop : kLoops) {
+    for (const std::size_t n : {1, 16, 4096}) {
+      const auto scene = Make<TypeParam>(
+          "uniform:hit=50:n=" + std::to_string(n) + ":sets=fresh", loop);
+      std::set<TypeParam> triangles;
+      for (const Call& call : scene.calls) {
+        EXPECT_EQ(call.n, n);
+        triangles.insert(scene.TriangleOf(call, 0).a.x);
+      }
+      if (loop == Loop::kOneTriangle) {
+        EXPECT_EQ(triangles.size(), scene.calls.size());
+        EXPECT_GE(scene.calls.size(), 256u);
+      }
     }
   }
 }
@@ -194,6 +214,34 @@ TEST(GridSceneTest, VerticesAreThePixelsAndReachEveryCorner) {
   }
 }
 
+template <class T>
+void ExpectTheGridAsPoints() {
+  const auto grid = MakeScene<std::int32_t>(ParseScene("grid_80x50:sets=fresh"),
+                                            Loop::kGrid, {}, kDefaultSeed);
+  const auto points = MakeScene<T>(ParseScene("grid_points_80x50:sets=fresh"),
+                                   Loop::kOneTriangle, {}, kDefaultSeed);
+  ASSERT_EQ(points.calls.size(), grid.ax.size());
+  EXPECT_TRUE(std::equal(grid.ax.begin(), grid.ax.end(), points.ax.begin()));
+  EXPECT_TRUE(std::equal(grid.cy.begin(), grid.cy.end(), points.cy.begin()));
+  const std::size_t pixels = grid.width * grid.height;
+  for (std::size_t i = 0; i < points.calls.size(); ++i) {
+    EXPECT_EQ(points.calls[i].triangle, i);
+    EXPECT_EQ(points.calls[i].point, 0u);
+    EXPECT_EQ(points.calls[i].n, pixels);
+  }
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const Point<std::int32_t> pixel = grid.PointOf(grid.calls[0], i);
+    EXPECT_EQ(points.px[i], pixel.x);
+    EXPECT_EQ(points.py[i], pixel.y);
+  }
+}
+
+TEST(GridSceneTest, AsPointsItHasTheSameTrianglesAndPixelsInEveryScalar) {
+  ExpectTheGridAsPoints<std::int32_t>();
+  ExpectTheGridAsPoints<std::int16_t>();
+  ExpectTheGridAsPoints<std::uint8_t>();
+}
+
 // What the error says of a scene that cannot be made.
 std::string Error(const std::string& name, Loop loop = Loop::kOneTriangle) {
   try {
@@ -212,7 +260,8 @@ TEST(SceneErrorTest, UnknownFamilySuggestsTheNearest) {
 }
 
 TEST(SceneErrorTest, WrongKeysShowTheForm) {
-  const std::string form = "must have the form 'uniform:hit=…:bytes=…:sets=…'";
+  const std::string form =
+      "must have the form 'uniform:hit=…:bytes|n=…:sets=…'";
   for (const char* name :
        {"uniform", "uniform:hit=50", "uniform:bytes=4k:hit=50:sets=fresh",
         "uniform:hit=50:bytes=4k:sets=fresh:more=1",
@@ -226,7 +275,7 @@ TEST(SceneErrorTest, ValuesOutOfRangeNameTheRange) {
             "scene 'near_edge:ulps=-1': ulps must be a whole number from 0 to "
             "65536, not '-1'");
   for (const char* name :
-       {"uniform:hit=101:bytes=4k:sets=fresh",
+       {"uniform:hit=101:bytes=4k:sets=fresh", "uniform:hit=50:n=0:sets=fresh",
         "uniform:hit=50:bytes=1:sets=fresh",
         "uniform:hit=50:bytes=9999999M:sets=fresh", "needle:aspect=61",
         "needle:aspect=", "needle:aspect=1e3", "needle:aspect=3.5",
@@ -247,6 +296,8 @@ TEST(SceneErrorTest, ValuesOutOfRangeNameTheRange) {
 
 TEST(SceneErrorTest, GridIsForGridLoopsAndIntegersOnly) {
   EXPECT_NE(Error("grid_80x50:sets=fresh").find("no meaning"),
+            std::string::npos);
+  EXPECT_NE(Error("grid_points_80x50:sets=fresh").find("no meaning"),
             std::string::npos);
   EXPECT_NE(Error("needle:aspect=3", Loop::kGrid).find("no meaning"),
             std::string::npos);

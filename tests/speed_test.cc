@@ -3,12 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "harness/measure/clock.h"
+#include "harness/measure/threads.h"
 #include "kernels/kernels.h"
 #include "tests/spoiled_kernel.h"
 
@@ -45,12 +50,13 @@ TEST(SpeedTest, EveryRepetitionOfEveryCellIsKept) {
     EXPECT_EQ(row.at("items"), 9);
     EXPECT_EQ(row.at("working_set_bytes"), 6 * 4 + 9 * 2 * 4);
     EXPECT_GT(row.at("iterations"), 0);
-    // Each call decides nine points. Google Benchmark's rates are by the time
-    // that the CPU was ours.
-    const double seconds = row.at("cpu_time").get<double>() * 1e-9;
+    // Each call decides nine points, and what passes is the real time.
+    const double seconds = row.at("real_time").get<double>() * 1e-9;
     EXPECT_NEAR(row.at("items_per_second").get<double>() * seconds, 9, 1e-6);
   }
   EXPECT_FALSE(run.file.at("context").contains("host_name"));
+  EXPECT_GT(run.occupancy.wall_seconds, 0);
+  EXPECT_GT(run.occupancy.cpu_seconds, 0);
 }
 
 // 2^70 overflows where products are squared again: the answer of
@@ -94,6 +100,113 @@ TEST(SpeedTest, OneKernelOfALoopIsRegisteredTwice) {
   EXPECT_EQ(twins, RunsHere(Isa::kAvx2) || RunsHere(Isa::kNeon) ? 1u : 0u);
 }
 
+double MedianTime(const std::vector<json>& rows) {
+  std::vector<double> times;
+  for (const json& row : rows) times.push_back(row.at("real_time"));
+  std::sort(times.begin(), times.end());
+  return times[times.size() / 2];
+}
+
+// The kernel of which a twin is timed, made to last: so that what the clock
+// itself costs, and other processes, do not show.
+TEST(SpeedTest, TwoCallsTimedAsOneTakeTwiceTheTime) {
+  Kernel lasting = OneTriangleKernel("edge_function", Output::kInside);
+  lasting.isa = Isa::kAvx2;
+  lasting.f32 = [](const Batch<float>& batch, const Result<float>& result) {
+    static const Kernel kernel =
+        OneTriangleKernel("edge_function", Output::kInside);
+    const auto start = std::chrono::steady_clock::now();
+    kernel.f32(batch, result);
+    while (std::chrono::steady_clock::now() - start <
+           std::chrono::microseconds(20)) {
+    }
+  };
+  const SpeedRun run = MeasureKernels({&lasting}, HandMadeScene(), 1e-4);
+  const auto rows = RowsByName(run.file);
+  const std::string name = "one_triangle/own/edge_function/f32/avx2";
+  const double plain = MedianTime(rows.at(name));
+  EXPECT_NEAR(MedianTime(rows.at(name + "/twin")) / plain, 1, 0.4);
+  EXPECT_NEAR(MedianTime(rows.at(name + "/doubled")) / plain, 2, 0.4);
+  // Both calls are of a batch as every other row's.
+  EXPECT_EQ(rows.at(name + "/doubled")[0].at("items"), 9);
+}
+
+#if !defined(PITBENCH_FEWER_KERNELS)  // which has no placements
+// The first scene of a shard shows what another place does to a kernel.
+TEST(SpeedTest, PlacementsAreTimedOnceAShard) {
+  Scene<float> again = HandMadeScene();
+  again.name = "again";
+  const SpeedRun run =
+      MeasureSpeedOn({HandMadeScene(), again}, {},
+                     std::regex("one_triangle/.*/cross_product/"), 1e-5);
+  std::set<std::string> placed;
+  for (const auto& [name, rows] : RowsByName(run.file)) {
+    if (name.find("/placed_") == std::string::npos) continue;
+    EXPECT_EQ(rows.size(), std::size_t{kRepetitions});
+    placed.insert(name);
+  }
+  std::set<std::string> expected;
+  for (const Isa isa : {Isa::kAvx2, Isa::kAvx512, Isa::kNeon}) {
+    if (!RunsHere(isa)) continue;
+    for (const char* shift : {"0", "16", "32", "48"}) {
+      expected.insert("one_triangle/own/cross_product/f32/" +
+                      std::string(Name(isa)) + "/placed_" + shift);
+    }
+  }
+  EXPECT_EQ(placed, expected);
+}
+#endif
+
+// All CPUs together read what one alone reads, and each number of them has its
+// own row.
+TEST(SpeedTest, ThreadsShareTheItemsOfACall) {
+  Profile profile{.name = "tiny", .seconds_per_sample = 1e-5};
+  profile.speed = {{"uniform:hit=50:n=10000:sets=fresh",
+                    {Loop::kOneTriangle},
+                    Scalar::kF32,
+                    /*weights=*/false,
+                    {"cross_product"},
+                    {Isa::kScalar},
+                    /*threads=*/true}};
+  const SpeedRun run =
+      MeasureSpeed(profile, std::regex("/threads$"), kDefaultSeed);
+  const auto rows = RowsByName(run.file);
+  ASSERT_EQ(rows.size(), ThreadCounts().size());
+  for (const int threads : ThreadCounts()) {
+    const auto found = rows.find(
+        "one_triangle/uniform:hit=50:n=10000:sets=fresh/cross_product/f32/"
+        "scalar/threads:" +
+        std::to_string(threads));
+    ASSERT_NE(found, rows.end());
+    ASSERT_EQ(found->second.size(), std::size_t{kRepetitions});
+    for (const json& row : found->second) {
+      EXPECT_EQ(row.at("items"), 10000);
+      EXPECT_EQ(row.at("working_set_bytes"), 6 * 4 + 10000 * 2 * 4);
+      // Google Benchmark's time is that of a call of any thread, and so of
+      // all threads' calls the time that passed, over their number.
+      EXPECT_NEAR(row.at("items_per_second").get<double>() *
+                      row.at("real_time").get<double>() * 1e-9,
+                  10000.0 / threads, 1e-3);
+    }
+  }
+}
+
+TEST(ThreadsTest, PartsFollowEachOtherAndAreTheWhole) {
+  for (const std::size_t n : {0, 1, 63, 64, 1000, 1 << 20}) {
+    for (const std::size_t threads : {1, 2, 3, 64}) {
+      std::size_t next = 5;
+      for (std::size_t k = 0; k < threads; ++k) {
+        const Call part = PartOf({7, 5, n}, k, threads);
+        EXPECT_EQ(part.triangle, 7u);
+        EXPECT_EQ(part.point, next);
+        EXPECT_EQ((part.point - 5) % 64, 0u) << "a part begins within a line";
+        next += part.n;
+      }
+      EXPECT_EQ(next, 5 + n);
+    }
+  }
+}
+
 TEST(SpeedTest, NoCellIsNoError) {
   const SpeedRun run =
       MeasureSpeedOn({HandMadeScene()}, {}, std::regex("nothing"), 1e-5);
@@ -103,6 +216,11 @@ TEST(SpeedTest, NoCellIsNoError) {
 TEST(ClockTest, RunsAsFastAsClocksDo) {
   EXPECT_GT(ClockGhz(), 0.1);
   EXPECT_LT(ClockGhz(), 10);
+}
+
+// Independent operations do not wait for each other, unlike those of the chain.
+TEST(ClockTest, ThroughputIsAboveOneOperationACycle) {
+  EXPECT_GT(ThroughputGops(), 1.2 * ClockGhz());
 }
 
 }  // namespace

@@ -7,20 +7,15 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <set>
 #include <sstream>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "harness/truth/weights.h"
 #include "tests/kernel_answers.h"
+#include "tests/worst_rows.h"
 
 namespace pitbench {
 namespace {
-
-using Row = std::vector<std::string>;
 
 constexpr std::size_t kFirstCoordinate = 2;
 constexpr std::size_t kSaid = 10;
@@ -28,50 +23,22 @@ constexpr std::size_t kTruth = 11;
 constexpr std::size_t kDistance = 12;
 constexpr std::size_t kFields = 13;
 
-// The rows of tests/worst_inputs.csv by method and scalar.
-std::multimap<std::pair<std::string, std::string>, Row> ReadRows() {
-  std::ifstream file(PITBENCH_TESTS_DIR "/worst_inputs.csv");
-  std::string line;
-  std::getline(file, line);
-  EXPECT_EQ(line,
-            "method,scalar,ax,ay,bx,by,cx,cy,px,py,said,truth,distance_ulps");
-  std::multimap<std::pair<std::string, std::string>, Row> rows;
-  while (std::getline(file, line)) {
-    Row row;
-    std::istringstream fields(line + ",");
-    for (std::string field; std::getline(fields, field, ',');) {
-      row.push_back(field);
-    }
-    EXPECT_EQ(row.size(), kFields) << line;
-    if (row.size() == kFields) {
-      rows.emplace(std::pair{row[0], row[1]}, std::move(row));
-    }
-  }
-  return rows;
+Rows ReadRows() {
+  return ReadWorstRows(
+      PITBENCH_TESTS_DIR "/worst_inputs.csv",
+      "method,scalar,ax,ay,bx,by,cx,cy,px,py,said,truth,distance_ulps");
 }
 
 // Rows kept as a warning need none: what they get wrong is no secret.
 bool NeedsARow(const Kernel& kernel) {
-  return kernel.scalar != Scalar::kI32 && kernel.method.warning.empty() &&
+  return IsFloat(kernel.scalar) && kernel.method.warning.empty() &&
          !IsExact(kernel);
 }
 
 // A method without a row: run `pitbench hunt --method … --scalar … --seconds 5`
 // and add the first line that it prints.
 TEST(WorstInputsTest, EveryMethodHasOneRowAScalar) {
-  const auto rows = ReadRows();
-  std::set<std::pair<std::string, std::string>> needed;
-  for (const Kernel& kernel : AllKernels()) {
-    if (!NeedsARow(kernel)) continue;
-    needed.emplace(kernel.method.key, Name(kernel.scalar));
-  }
-  for (const auto& key : needed) {
-    EXPECT_EQ(rows.count(key), 1u) << key.first << " " << key.second;
-  }
-  for (const auto& [key, row] : rows) {
-    EXPECT_TRUE(needed.contains(key))
-        << key.first << " " << key.second << " is no method that needs a row";
-  }
+  ExpectOneRowAMethod(ReadRows(), AllKernels(), NeedsARow);
 }
 
 template <class T>

@@ -7,6 +7,7 @@
 #include "harness/command/commands.h"
 #include "harness/command/output.h"
 #include "harness/command/own_scenes.h"
+#include "harness/measure/rays/ray_accuracy.h"
 
 namespace pitbench {
 namespace {
@@ -18,8 +19,10 @@ void Accuracy(const Arguments& a) {
   const std::regex filter = Filter(a.filter);
   OutputFile out(a.out);
   json cells = json::array();
+  json ray_cells = json::array();
   if (a.triangles.empty()) {
     cells = MeasureAccuracy(profile, filter, a.seed);
+    ray_cells = MeasureRayAccuracy(profile, filter, a.seed);
   } else {
     const auto add = [&]<class T>(const std::vector<Scene<T>>& scenes) {
       for (const Scene<T>& scene : scenes) {
@@ -34,11 +37,12 @@ void Accuracy(const Arguments& a) {
     add(OwnScenes<float>(a.triangles, a.points));
     add(OwnScenes<double>(a.triangles, a.points));
   }
-  if (cells.empty()) NoCells(a);
+  if (cells.empty() && ray_cells.empty()) NoCells(a);
   const json file = {{"context", Context("pitbench-accuracy-2", a)},
-                     {"cells", cells}};
+                     {"cells", cells},
+                     {"ray_cells", ray_cells}};
   out.Commit(file.dump() + "\n");
-  std::cerr << a.out << ": " << cells.size() << " cells\n";
+  std::cerr << a.out << ": " << cells.size() + ray_cells.size() << " cells\n";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "harness/command/commands.h"
 #include "harness/command/find_kernel.h"
 #include "harness/input/csv.h"
-#include "harness/scenes/scene.h"
+#include "harness/measure/answers.h"
 
 namespace pitbench {
 namespace {
@@ -45,11 +45,20 @@ template <class T>
 std::string AnswersToRows(const Kernel& kernel, const std::string& path) {
   const Table<T> table = ReadCases<T>(path);
   const auto& c = table.columns;
+  for (std::size_t i = 0; kernel.method.finite_only && i < table.rows; ++i) {
+    const Triangle<T> triangle{
+        {c[0][i], c[1][i]}, {c[2][i], c[3][i]}, {c[4][i], c[5][i]}};
+    if (!IsFinite(triangle, Point<T>{c[6][i], c[7][i]})) {
+      throw InputError(path + ": case " + std::to_string(i + 1) + ": method '" +
+                       std::string(kernel.method.key) +
+                       "' must not be asked about NaN and infinity");
+    }
+  }
   const Batch<T> batch{c[0].data(), c[1].data(), c[2].data(),
                        c[3].data(), c[4].data(), c[5].data(),
                        c[6].data(), c[7].data(), table.rows};
   std::vector<std::uint8_t> bits(BitBytes(table.rows));
-  FunctionOf<T>(kernel)(batch, Result<T>{.bits = bits.data()});
+  AskCases(kernel, batch, bits.data());
   std::string words;
   for (std::size_t i = 0; i < table.rows; ++i) {
     words.append((bits[i / 8] >> (i % 8) & 1) != 0 ? "inside\n" : "outside\n");
@@ -81,7 +90,7 @@ std::string Words(const Arguments& a) {
         "--decimal goes with --method truth: methods compute with rounded "
         "numbers");
   }
-  const Kernel& kernel = FindPairsKernel(a.method, scalar, a.isa, {"truth"});
+  const Kernel& kernel = FindCaseKernel(a.method, scalar, a.isa, {"truth"});
   return f32 ? AnswersToRows<float>(kernel, a.file)
              : AnswersToRows<double>(kernel, a.file);
 }

@@ -7,15 +7,18 @@
 
 namespace pitbench {
 
-void AddList(CLI::App& app);      // list
-void AddClassify(CLI::App& app);  // classify
-void AddSpeed(CLI::App& app);     // speed
-void AddAccuracy(CLI::App& app);  // accuracy
-void AddMaps(CLI::App& app);      // maps
-void AddHunt(CLI::App& app);      // hunt
-void AddVerify(CLI::App& app);    // verify
-void AddMachine(CLI::App& app);   // machine
-void AddShards(CLI::App& app);    // shards
+void AddList(CLI::App& app);          // list
+void AddClassify(CLI::App& app);      // classify
+void AddSpeed(CLI::App& app);         // speed
+void AddAccuracy(CLI::App& app);      // accuracy
+void AddLimits(CLI::App& app);        // limits
+void AddMaps(CLI::App& app);          // maps
+void AddOperations(CLI::App& app);    // operations
+void AddHunt(CLI::App& app);          // hunt
+void AddVerify(CLI::App& app);        // verify
+void AddMachine(CLI::App& app);       // machine
+void AddInstructions(CLI::App& app);  // instructions
+void AddShards(CLI::App& app);        // shards
 
 }  // namespace pitbench
 

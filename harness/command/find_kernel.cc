@@ -1,9 +1,11 @@
 #include "harness/command/find_kernel.h"
 
 #include <algorithm>
+#include <span>
 
 #include "harness/input/csv.h"
 #include "harness/input/nearest.h"
+#include "harness/measure/measured_kernels.h"
 
 namespace pitbench {
 namespace {
@@ -15,30 +17,27 @@ void Require(std::string_view kind, std::string_view name,
   }
 }
 
-}  // namespace
-
-Scalar FloatScalar(const std::string& name) {
-  Require("scalar", name, {"f32", "f64"});
-  return name == "f32" ? Scalar::kF32 : Scalar::kF64;
-}
-
-const Kernel& FindPairsKernel(const std::string& method, Scalar scalar,
-                              const std::string& isa,
-                              const std::vector<std::string_view>& others) {
-  std::vector<std::string_view> methods = others;
+// One of `kernels` by a method, for a scalar, that fits(kernel): as the header
+// has it.
+template <class K, class Fits>
+const K& FindFitting(std::span<const K> kernels, const Fits& fits,
+                     const std::string& method, Scalar scalar,
+                     const std::string& isa,
+                     std::vector<std::string_view> methods) {
   std::vector<std::string_view> isas;
-  const Kernel* found = nullptr;
+  const K* found = nullptr;
   bool has_scalar = false;
-  for (const Kernel& kernel : AllKernels()) {
+  for (const K& kernel : kernels) {
     methods.push_back(kernel.method.key);
     isas.push_back(Name(kernel.isa));
     if (kernel.method.key != method || kernel.scalar != scalar ||
-        kernel.loop != Loop::kPairs || kernel.output != Output::kInside) {
+        !fits(kernel)) {
       continue;
     }
     has_scalar = true;
     if (isa.empty() ? RunsHere(kernel.isa) : Name(kernel.isa) == isa) {
-      if (found == nullptr || kernel.isa > found->isa) found = &kernel;
+      // The last of the widest: rows are ordered by loop within an ISA.
+      if (found == nullptr || kernel.isa >= found->isa) found = &kernel;
     }
   }
   Require("method", method, methods);
@@ -60,6 +59,49 @@ const Kernel& FindPairsKernel(const std::string& method, Scalar scalar,
                      "' does not run on this CPU: see pitbench list");
   }
   return *found;
+}
+
+}  // namespace
+
+Scalar FloatScalar(const std::string& name) {
+  Require("scalar", name, {"f32", "f64"});
+  return name == "f32" ? Scalar::kF32 : Scalar::kF64;
+}
+
+const Kernel& FindCaseKernel(const std::string& method, Scalar scalar,
+                             const std::string& isa,
+                             const std::vector<std::string_view>& others) {
+  const auto fits = [](const Kernel& kernel) {
+    return (kernel.loop == Loop::kPairs || kernel.loop == Loop::kOneTriangle) &&
+           kernel.output == Output::kInside;
+  };
+  return FindFitting(MeasuredKernels(), fits, method, scalar, isa, others);
+}
+
+const RayKernel& FindRayPairsKernel(
+    const std::string& method, Scalar scalar, const std::string& isa,
+    const std::vector<std::string_view>& others) {
+  const auto fits = [](const RayKernel& kernel) {
+    return kernel.loop == RayLoop::kRayPairs &&
+           kernel.output == RayOutput::kHits;
+  };
+  return FindFitting(AllRayKernels(), fits, method, scalar, isa, others);
+}
+
+bool MeansRays(const std::string& method, bool said_so) {
+  const auto has = [&method](const auto& kernels) {
+    return std::any_of(kernels.begin(), kernels.end(),
+                       [&](const auto& k) { return k.method.key == method; });
+  };
+  return said_so || (has(AllRayKernels()) && !has(MeasuredKernels()));
+}
+
+std::vector<std::string_view> RayMethodKeys() {
+  std::vector<std::string_view> keys;
+  for (const RayKernel& kernel : AllRayKernels()) {
+    keys.push_back(kernel.method.key);
+  }
+  return keys;
 }
 
 }  // namespace pitbench

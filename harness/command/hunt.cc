@@ -9,6 +9,7 @@
 #include "harness/command/find_kernel.h"
 #include "harness/command/output.h"
 #include "harness/input/csv.h"
+#include "harness/measure/rays/ray_hunt.h"
 #include "harness/scenes/generate.h"
 
 namespace pitbench {
@@ -21,24 +22,43 @@ struct HuntArguments {
   std::string method;
   std::string scalar = "f64";
   std::string isa;
+  bool rays = false;
   double seconds = 0;
   std::uint64_t seed = kDefaultSeed;
   std::string out;
 };
 
-void RunHunt(const HuntArguments& a) {
+// search(T()) for the scalar's T.
+template <class Search>
+std::string Hunted(Scalar scalar, const Search& search) {
+  return scalar == Scalar::kF32 ? search(float{}) : search(double{});
+}
+
+std::string HuntPoints(const HuntArguments& a) {
   const Scalar scalar = FloatScalar(a.scalar);
-  const Kernel& kernel = FindPairsKernel(a.method, scalar, a.isa);
+  const Kernel& kernel =
+      FindCaseKernel(a.method, scalar, a.isa, RayMethodKeys());
+  return Hunted(scalar, [&]<class T>(T) {
+    return HuntCsv(kernel, Hunt<T>(kernel, a.seconds, a.seed, kKeep));
+  });
+}
+
+std::string HuntForRays(const HuntArguments& a) {
+  const Scalar scalar = FloatScalar(a.scalar);
+  const RayKernel& kernel = FindRayPairsKernel(a.method, scalar, a.isa);
+  return Hunted(scalar, [&]<class T>(T) {
+    return HuntRaysCsv(kernel, HuntRays<T>(kernel, a.seconds, a.seed, kKeep));
+  });
+}
+
+void RunHunt(const HuntArguments& a) {
   if (!(a.seconds > 0 && a.seconds <= kLongest)) {
     throw InputError("--seconds: give more than 0 and at most 86400 (a day)");
   }
   std::optional<OutputFile> out;
   if (!a.out.empty()) out.emplace(a.out);
-  const auto csv = [&]<class T>(T) {
-    return HuntCsv(kernel, Hunt<T>(kernel, a.seconds, a.seed, kKeep));
-  };
   const std::string text =
-      scalar == Scalar::kF32 ? csv(float{}) : csv(double{});
+      MeansRays(a.method, a.rays) ? HuntForRays(a) : HuntPoints(a);
   std::cout << text << std::flush;
   if (!std::cout) throw InputError("cannot write to standard output");
   if (out) out->Commit(text);
@@ -52,7 +72,10 @@ void AddHunt(CLI::App& app) {
       "Searches for the inputs on which a method is most wrong and prints\n"
       "them, the worst first, as CSV with hexadecimal floats");
   const auto a = std::make_shared<HuntArguments>();
-  hunt->add_option("--method", a->method, "a method")->required();
+  hunt->add_option("--method", a->method, "a method, of points or of rays")
+      ->required();
+  hunt->add_flag("--rays", a->rays,
+                 "the method of rays, where points have one of that name");
   hunt->add_option("--scalar", a->scalar, "f32 or f64")->capture_default_str();
   hunt->add_option("--isa", a->isa,
                    "an ISA; the widest that runs here unless given");

@@ -23,6 +23,7 @@ void Speed(const Arguments& a) {
   OutputFile out(a.out);
   const int cpu = PinToLastCpu();
   const double clock_before = ClockGhz();
+  const double throughput_before = ThroughputGops();
   const double steal_before = StealSeconds();
   const auto start = std::chrono::steady_clock::now();
   SpeedRun run = a.triangles.empty()
@@ -34,6 +35,7 @@ void Speed(const Arguments& a) {
   const std::chrono::duration<double> time =
       std::chrono::steady_clock::now() - start;
   const double clock_after = ClockGhz();
+  const double throughput_after = ThroughputGops();
   std::array<double, 1> load{};
   getloadavg(load.data(), 1);
   json context = Context("pitbench-speed-1", a);
@@ -41,8 +43,13 @@ void Speed(const Arguments& a) {
       {{"cpu", cpu},
        {"clock_before_ghz", clock_before},
        {"clock_after_ghz", clock_after},
+       {"throughput_before_gops", throughput_before},
+       {"throughput_after_gops", throughput_after},
        {"steal_percent", 100 * (StealSeconds() - steal_before) / time.count()},
-       {"load_average", load[0]}});
+       {"load_average", load[0]},
+       {"wall_seconds", run.occupancy.wall_seconds},
+       {"cpu_seconds", run.occupancy.cpu_seconds},
+       {"preemptions", run.occupancy.preemptions}});
   run.file["context"]["pitbench"] = context;
   out.Commit(run.file.dump() + "\n");
   std::cerr << a.out << ": " << run.cells << " cells";

@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "harness/command/commands.h"
 #include "harness/command/find_kernel.h"
 #include "harness/input/csv.h"
+#include "harness/measure/rays/ray_verify.h"
 #include "harness/scenes/generate.h"
 
 namespace pitbench {
@@ -18,30 +20,50 @@ struct VerifyArguments {
   std::string method;
   std::string scalar = "f64";
   std::string isa;
+  bool rays = false;
   double points = 1e7;
   std::uint64_t seed = kDefaultSeed;
 };
 
-template <class T>
-Verification Run(const VerifyArguments& a) {
-  FindPairsKernel(a.method, ScalarOf<T>(), a.isa);  // throws if there is none
-  std::vector<const Kernel*> kernels;
-  for (const Kernel& kernel : AllKernels()) {
-    if (kernel.method.key == a.method && kernel.scalar == ScalarOf<T>() &&
-        kernel.output == Output::kInside && RunsHere(kernel.isa) &&
+// Those of `all` that the arguments mean.
+template <class K, class Fits>
+std::vector<const K*> Meant(std::span<const K> all, const VerifyArguments& a,
+                            Scalar scalar, const Fits& fits) {
+  std::vector<const K*> kernels;
+  for (const K& kernel : all) {
+    if (kernel.method.key == a.method && kernel.scalar == scalar &&
+        fits(kernel) && RunsHere(kernel.isa) &&
         (a.isa.empty() || Name(kernel.isa) == a.isa)) {
       kernels.push_back(&kernel);
     }
   }
-  std::size_t shown = 0;
-  return Verify<T>(kernels, static_cast<std::size_t>(a.points), a.seed,
-                   [&](const Verification& v) {
-                     const auto percent = static_cast<std::size_t>(
-                         100 * static_cast<double>(v.points) / a.points);
-                     if (percent <= shown) return;
-                     shown = percent;
-                     std::cerr << percent << " %, " << v.wrong << " wrong\n";
-                   });
+  return kernels;
+}
+
+template <class T>
+Verification Run(const VerifyArguments& a) {
+  const auto points = static_cast<std::size_t>(a.points);
+  const auto progress = [&, shown =
+                                std::size_t{0}](const Verification& v) mutable {
+    const auto percent = static_cast<std::size_t>(
+        100 * static_cast<double>(v.points) / a.points);
+    if (percent <= shown) return;
+    shown = percent;
+    std::cerr << percent << " %, " << v.wrong << " wrong\n";
+  };
+  // The searches throw if there is no such kernel.
+  if (MeansRays(a.method, a.rays)) {
+    FindRayPairsKernel(a.method, ScalarOf<T>(), a.isa);
+    return VerifyRays<T>(Meant(AllRayKernels(), a, ScalarOf<T>(),
+                               [](const RayKernel&) { return true; }),
+                         points, a.seed, progress);
+  }
+  FindCaseKernel(a.method, ScalarOf<T>(), a.isa, RayMethodKeys());
+  return Verify<T>(Meant(AllKernels(), a, ScalarOf<T>(),
+                         [](const Kernel& kernel) {
+                           return kernel.output == Output::kInside;
+                         }),
+                   points, a.seed, progress);
 }
 
 void RunVerify(const VerifyArguments& a) {
@@ -50,8 +72,10 @@ void RunVerify(const VerifyArguments& a) {
   }
   const Verification v =
       FloatScalar(a.scalar) == Scalar::kF32 ? Run<float>(a) : Run<double>(a);
-  std::cout << v.points << " points (" << v.boundary << " on a boundary), "
-            << v.answers << " answers, " << v.wrong << " wrong\n"
+  std::cout << v.points
+            << (MeansRays(a.method, a.rays) ? " rays (" : " points (")
+            << v.boundary << " on a boundary), " << v.answers << " answers, "
+            << v.wrong << " wrong\n"
             << std::flush;
   if (v.wrong != 0) throw std::runtime_error(v.first_wrong);
 }
@@ -66,6 +90,8 @@ void AddVerify(CLI::App& app) {
   const auto a = std::make_shared<VerifyArguments>();
   verify->add_option("--method", a->method, "a method, such as exact")
       ->required();
+  verify->add_flag("--rays", a->rays,
+                   "the method of rays, where points have one of that name");
   verify->add_option("--scalar", a->scalar, "f32 or f64")
       ->capture_default_str();
   verify->add_option("--isa", a->isa, "an ISA; all that run here unless given");

@@ -14,27 +14,14 @@ namespace {
 using nlohmann::json;
 
 template <class T>
-json MeasureCell(const Kernel& kernel, SceneDetails<T>& details) {
+json MeasureCell(const Kernel& kernel, SceneDetails<Scene<T>>& details) {
   const Scene<T>& scene = details.scene();
   const SceneTruth& truth = details.truth();
   const Answers<T> answers = Ask(kernel, scene, truth);
-  json cell = {{"name", CellName(kernel, scene.name)},
-               {"loop", Name(kernel.loop, kernel.output)},
-               {"scene", scene.name},
-               {"method", kernel.method.key},
-               {"scalar", Name(kernel.scalar)},
-               {"isa", Name(kernel.isa)},
-               {"boundary_rule", Name(kernel.method.boundary)},
-               {"accepts", Name(kernel.method.accepts)},
-               {"points", truth.interior + truth.exterior + truth.boundary +
-                              truth.degenerate},
-               {"interior", truth.interior},
-               {"exterior", truth.exterior - truth.not_finite},
-               {"boundary", truth.boundary},
-               {"degenerate", truth.degenerate},
-               {"not_finite", truth.not_finite},
-               {"classes", ErrorClasses(kernel, answers, details)},
-               {"weights", nullptr}};
+  json cell = CellOf(kernel, scene, truth);
+  cell["accepts"] = Name(kernel.method.accepts);
+  cell["classes"] = ErrorClasses(kernel, answers, details);
+  cell["weights"] = nullptr;
   if constexpr (!std::is_integral_v<T>) {
     if (kernel.output == Output::kWeights) {
       cell["weights"] = WeightErrors(answers, details.Weighed());
@@ -59,9 +46,10 @@ template <class T>
 json MeasureAccuracyOn(const Scene<T>& scene,
                        const std::vector<const Kernel*>& kernels) {
   const SceneTruth truth = JudgeScene(scene);
-  SceneDetails<T> details(scene, truth);
+  SceneDetails<Scene<T>> details(scene, truth);
   json cells = json::array();
   for (const Kernel* kernel : kernels) {
+    if (kernel->method.finite_only && truth.not_finite != 0) continue;
     cells.push_back(MeasureCell(*kernel, details));
   }
   return cells;
@@ -72,6 +60,10 @@ template json MeasureAccuracyOn(const Scene<float>&,
 template json MeasureAccuracyOn(const Scene<double>&,
                                 const std::vector<const Kernel*>&);
 template json MeasureAccuracyOn(const Scene<std::int32_t>&,
+                                const std::vector<const Kernel*>&);
+template json MeasureAccuracyOn(const Scene<std::int16_t>&,
+                                const std::vector<const Kernel*>&);
+template json MeasureAccuracyOn(const Scene<std::uint8_t>&,
                                 const std::vector<const Kernel*>&);
 
 json MeasureAccuracy(const Profile& profile, const std::regex& filter,
@@ -92,6 +84,12 @@ json MeasureAccuracy(const Profile& profile, const std::regex& filter,
           break;
         case Scalar::kI32:
           Append<std::int32_t>(cells, listed, loop, size, kernels, seed);
+          break;
+        case Scalar::kI16:
+          Append<std::int16_t>(cells, listed, loop, size, kernels, seed);
+          break;
+        case Scalar::kU8:
+          Append<std::uint8_t>(cells, listed, loop, size, kernels, seed);
           break;
       }
     }

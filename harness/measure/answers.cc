@@ -33,6 +33,33 @@ double BelowZero(const Triangle<T>& t, const Point<T>& p) {
 }
 
 // Whether the point is within `distance` of the triangle's boundary, along x
+// or along y.
+template <class T>
+bool NearTheBoundary(const Triangle<T>& t, const Point<T>& p, double distance) {
+  const auto wide = [](T x) { return static_cast<double>(x); };
+  const double x[] = {wide(t.a.x) - wide(p.x), wide(t.b.x) - wide(p.x),
+                      wide(t.c.x) - wide(p.x)};
+  const double y[] = {wide(t.a.y) - wide(p.y), wide(t.b.y) - wide(p.y),
+                      wide(t.c.y) - wide(p.y)};
+  // Where the edge from (u0, v0) to (u1, v1) crosses u = 0, if it does.
+  const auto crosses_near = [&](double u0, double v0, double u1, double v1) {
+    if (u0 == 0 && u1 == 0) {  // along it
+      return std::min(v0, v1) <= distance && std::max(v0, v1) >= -distance;
+    }
+    if (std::min(u0, u1) > 0 || std::max(u0, u1) < 0) return false;
+    return std::abs(v0 + (v1 - v0) * u0 / (u0 - u1)) <= distance;
+  };
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    if (crosses_near(x[k], y[k], x[next], y[next]) ||
+        crosses_near(y[k], x[k], y[next], x[next])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether the point is within `distance` of the triangle's boundary, along x
 // and along y, in sides of the bounding box. (A little more: by Pythagoras.)
 template <class T>
 bool WithinSnapDistance(const Triangle<T>& t, const Point<T>& p,
@@ -95,6 +122,10 @@ bool Declared(const Kernel& kernel, const Scene<T>& scene, const Wrong& wrong) {
   if (kernel.method.tolerance > 0 && wrong.said_inside &&
       Classify(t, p) == Position::kOutside &&
       BelowZero(t, p) <= 2 * kernel.method.tolerance) {
+    return true;
+  }
+  if (kernel.method.edge_width > 0 && wrong.said_inside &&
+      NearTheBoundary(t, p, kernel.method.edge_width)) {
     return true;
   }
   const double snap = kernel.method.snap_distance;
@@ -165,51 +196,42 @@ std::optional<std::string> WrongWeights(const Scene<T>& scene,
 
 template <class T>
 SceneTruth JudgeScene(const Scene<T>& scene) {
-  SceneTruth truth;
-  for (const Call& call : scene.calls) {
-    CallTruth& judged = truth.calls.emplace_back();
-    const std::size_t bytes = scene.OutputBytes(call);
-    for (Bits* bits : {&judged.inside, &judged.boundary, &judged.strict,
-                       &judged.not_finite}) {
-      bits->resize(bytes);
-    }
-    for (std::size_t i = 0; i < scene.Answers(call); ++i) {
-      const Triangle<T> t = scene.TriangleOf(call, i);
-      const Point<T> p = scene.PointOf(call, i);
-      const std::size_t bit = scene.BitOf(i);
-      switch (Classify(t, p)) {
-        case Position::kInside:
-          SetBit(judged.inside, bit);
-          SetBit(judged.strict, bit);
-          ++truth.interior;
-          break;
-        case Position::kBoundary:
-          SetBit(judged.boundary, bit);
-          ++truth.boundary;
-          break;
-        case Position::kOutside:
-          ++truth.exterior;
-          if (IsFinite(t, p)) {
-            SetBit(judged.strict, bit);
-          } else {
-            SetBit(judged.not_finite, bit);
-            ++truth.not_finite;
-          }
-          break;
-        case Position::kDegenerate:
-          ++truth.degenerate;
-          break;
-      }
-    }
-  }
-  return truth;
+  return JudgeAnswers(scene, [&](const Call& call, std::size_t i) -> Verdict {
+    const Triangle<T> t = scene.TriangleOf(call, i);
+    const Point<T> p = scene.PointOf(call, i);
+    const Position position = Classify(t, p);
+    const bool finite = position != Position::kOutside || IsFinite(t, p);
+    return {position, finite,
+            position == Position::kInside ||
+                (position == Position::kOutside && finite)};
+  });
 }
+
+template <class T>
+void AskCases(const Kernel& kernel, const Batch<T>& cases, std::uint8_t* bits) {
+  const KernelFunction<T> run = FunctionOf<T>(kernel);
+  if (kernel.loop == Loop::kPairs) {
+    run(cases, Result<T>{.bits = bits});
+    return;
+  }
+  std::fill_n(bits, BitBytes(cases.n), std::uint8_t{0});
+  for (std::size_t i = 0; i < cases.n; ++i) {
+    std::uint8_t bit = 0;
+    run({cases.ax + i, cases.ay + i, cases.bx + i, cases.by + i, cases.cx + i,
+         cases.cy + i, cases.px + i, cases.py + i, 1},
+        Result<T>{.bits = &bit});
+    bits[i / 8] = static_cast<std::uint8_t>(bits[i / 8] | bit << (i % 8));
+  }
+}
+template void AskCases(const Kernel&, const Batch<float>&, std::uint8_t*);
+template void AskCases(const Kernel&, const Batch<double>&, std::uint8_t*);
 
 template <class T>
 void Run(const Kernel& kernel, const Scene<T>& scene, Answers<T>& answers) {
   const bool weights = kernel.output == Output::kWeights;
   answers.bits.resize(scene.calls.size());
   for (auto& w : answers.weights) w.resize(weights ? scene.calls.size() : 0);
+  const Array<T> xy = PointsFor(kernel, scene);
   for (std::size_t c = 0; c < scene.calls.size(); ++c) {
     const Call& call = scene.calls[c];
     answers.bits[c].resize(scene.OutputBytes(call));
@@ -220,7 +242,7 @@ void Run(const Kernel& kernel, const Scene<T>& scene, Answers<T>& answers) {
         result.w[k] = answers.weights[k][c].data();
       }
     }
-    FunctionOf<T>(kernel)(scene.BatchOf(call), result);
+    FunctionOf<T>(kernel)(scene.BatchOf(call, xy.data()), result);
   }
 }
 
@@ -228,36 +250,16 @@ template <class T>
 Answers<T> Ask(const Kernel& kernel, const Scene<T>& scene,
                const SceneTruth& truth) {
   Answers<T> answers = Run(kernel, scene);
-  for (std::size_t c = 0; c < scene.calls.size(); ++c) {
-    const Bits& bits = answers.bits[c];
-    const CallTruth& judged = truth.calls[c];
-    const std::size_t row =
-        scene.loop == Loop::kGrid ? scene.width : scene.calls[c].n;
-    const std::size_t row_bytes = BitBytes(row);
-    for (std::size_t byte = 0; byte < bits.size(); ++byte) {
-      const unsigned said = bits[byte];
-      const unsigned boundary = judged.boundary[byte];
-      answers.boundary_accepted +=
-          static_cast<std::size_t>(std::popcount(said & boundary));
-      unsigned wrong = (said ^ judged.inside[byte]) & ~boundary & 0xff;
-      for (; wrong != 0; wrong &= wrong - 1) {
-        const auto bit = static_cast<std::size_t>(std::countr_zero(wrong));
-        const std::size_t column = byte % row_bytes * 8 + bit;
-        if (column >= row) {
-          ++answers.stray_bits;
-          continue;
-        }
-        answers.wrong.push_back(
-            {c, byte / row_bytes * row + column, (said >> bit & 1) != 0});
-      }
-    }
-  }
+  JudgeBits(scene, truth, answers);
   return answers;
 }
 
 template <class T>
 std::optional<std::string> Refusal(const Kernel& kernel, const Scene<T>& scene,
                                    const SceneTruth& truth) {
+  if (kernel.method.finite_only && truth.not_finite != 0) {
+    return "must not be asked about NaN and infinity";
+  }
   const Answers<T> answers = Ask(kernel, scene, truth);
   if (answers.stray_bits != 0) return "sets bits past the last answer";
   // A method that accepts a third is wrong about a third of all points; that
@@ -284,6 +286,8 @@ std::optional<std::string> Refusal(const Kernel& kernel, const Scene<T>& scene,
 PITBENCH_INSTANTIATE(float);
 PITBENCH_INSTANTIATE(double);
 PITBENCH_INSTANTIATE(std::int32_t);
+PITBENCH_INSTANTIATE(std::int16_t);
+PITBENCH_INSTANTIATE(std::uint8_t);
 #undef PITBENCH_INSTANTIATE
 
 }  // namespace pitbench

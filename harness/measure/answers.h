@@ -24,10 +24,10 @@ inline void SetBit(Bits& bits, std::size_t i) {
 
 // Calls visit(i) for every answer i of `call` whose bit is set in `bits`, which
 // has none past the end of a row.
-template <class T, class Visit>
-void ForEachAnswer(const Scene<T>& scene, const Call& call, const Bits& bits,
-                   Visit visit) {
-  const std::size_t row = scene.loop == Loop::kGrid ? scene.width : call.n;
+template <class SceneType, class CallType, class Visit>
+void ForEachAnswer(const SceneType& scene, const CallType& call,
+                   const Bits& bits, Visit visit) {
+  const std::size_t row = scene.AnswersInRow(call);
   const std::size_t row_bytes = BitBytes(row);
   for (std::size_t byte = 0; byte < bits.size(); ++byte) {
     for (unsigned left = bits[byte]; left != 0; left &= left - 1) {
@@ -49,8 +49,18 @@ struct CallTruth {
   Bits not_finite;  // some coordinate is NaN or infinite
 };
 
+// Which triangles a call of rays may name as nearest: the first of those with
+// the least exact t among all that are hit. What is hit on its boundary may be
+// left out, being in or out as the method likes.
+struct NearestTruth {
+  std::vector<std::size_t> allowed;
+  bool none_allowed = false;
+  std::size_t expected = 0;  // the nearest hit through an interior, if any
+};
+
 struct SceneTruth {
-  std::vector<CallTruth> calls;  // as many as the scene has
+  std::vector<CallTruth> calls;            // as many as the scene has
+  std::vector<NearestTruth> nearest = {};  // the same; loop one_ray only
   // How many answers of the scene are of each kind.
   std::size_t interior = 0;
   std::size_t exterior = 0;  // those that are not finite included
@@ -80,9 +90,98 @@ struct Answers {
   std::size_t stray_bits = 0;  // set past the last answer of a row
 };
 
+// What exact arithmetic says of one answer.
+struct Verdict {
+  Position position;
+  bool finite;
+  bool strict;  // see CallTruth; of an interior or exterior one only
+};
+
+// The truth of a scene of points or of rays: verdict(call, i) for each answer.
+template <class SceneType, class VerdictOf>
+SceneTruth JudgeAnswers(const SceneType& scene, const VerdictOf& verdict_of) {
+  SceneTruth truth;
+  for (const auto& call : scene.calls) {
+    CallTruth& judged = truth.calls.emplace_back();
+    const std::size_t bytes = scene.OutputBytes(call);
+    for (Bits* bits : {&judged.inside, &judged.boundary, &judged.strict,
+                       &judged.not_finite}) {
+      bits->resize(bytes);
+    }
+    for (std::size_t i = 0; i < scene.Answers(call); ++i) {
+      const std::size_t bit = scene.BitOf(i);
+      const Verdict verdict = verdict_of(call, i);
+      if (verdict.strict) SetBit(judged.strict, bit);
+      switch (verdict.position) {
+        case Position::kInside:
+          SetBit(judged.inside, bit);
+          ++truth.interior;
+          break;
+        case Position::kBoundary:
+          SetBit(judged.boundary, bit);
+          ++truth.boundary;
+          break;
+        case Position::kOutside:
+          ++truth.exterior;
+          if (verdict.finite) break;
+          SetBit(judged.not_finite, bit);
+          ++truth.not_finite;
+          break;
+        case Position::kDegenerate:
+          ++truth.degenerate;
+          break;
+      }
+    }
+  }
+  return truth;
+}
+
+// Holds what a kernel wrote, bit by bit, against the truth of the scene.
+template <class SceneType, class T>
+void JudgeBits(const SceneType& scene, const SceneTruth& truth,
+               Answers<T>& answers) {
+  for (std::size_t c = 0; c < scene.calls.size(); ++c) {
+    const Bits& bits = answers.bits[c];
+    const CallTruth& judged = truth.calls[c];
+    const std::size_t row = scene.AnswersInRow(scene.calls[c]);
+    const std::size_t row_bytes = BitBytes(row);
+    for (std::size_t byte = 0; byte < bits.size(); ++byte) {
+      const unsigned said = bits[byte];
+      const unsigned boundary = judged.boundary[byte];
+      answers.boundary_accepted +=
+          static_cast<std::size_t>(std::popcount(said & boundary));
+      unsigned wrong = (said ^ judged.inside[byte]) & ~boundary & 0xff;
+      for (; wrong != 0; wrong &= wrong - 1) {
+        const auto bit = static_cast<std::size_t>(std::countr_zero(wrong));
+        const std::size_t column = byte % row_bytes * 8 + bit;
+        if (column >= row) {
+          ++answers.stray_bits;
+          continue;
+        }
+        answers.wrong.push_back(
+            {c, byte / row_bytes * row + column, (said >> bit & 1) != 0});
+      }
+    }
+  }
+}
+
+// What the kernel reads beside the scene's own arrays, for Scene::BatchOf:
+// nothing but for loop one_triangle_aos.
+template <class T>
+Array<T> PointsFor(const Kernel& kernel, const Scene<T>& scene) {
+  return kernel.loop == Loop::kOneTriangleAos ? scene.PointsSideBySide()
+                                              : Array<T>();
+}
+
+// Answers of a kernel of loop pairs or one_triangle about cases: case i is
+// point i and triangle i. Writes BitBytes(cases.n) bytes.
+template <class T>
+void AskCases(const Kernel& kernel, const Batch<T>& cases, std::uint8_t* bits);
+
 // Runs the kernel once on every call of the scene and judges nothing: sets bits
 // and weights only, in memory that `answers` may have already. Precondition:
-// the kernel's loop and scalar are the scene's, and its ISA runs here.
+// the scene's loop is LoopOfScenes of the kernel's, its scalar the kernel's,
+// and the kernel's ISA runs here.
 template <class T>
 void Run(const Kernel& kernel, const Scene<T>& scene, Answers<T>& answers);
 

@@ -10,12 +10,11 @@
 #include <cstdint>
 #include <limits>
 
+#include "harness/measure/mutants.h"
 #include "harness/scenes/families.h"
 #include "harness/scenes/step.h"
 
 namespace pitbench {
-
-inline constexpr double kLeastMagnitude = 0x1p-30;
 
 // ax, ay, bx, by, cx, cy, px, py.
 template <class T>
@@ -33,12 +32,8 @@ Point<T> PointOf(const Candidate<T>& c) {
 // Whether it is one that hunt.h allows.
 template <class T>
 bool Admissible(const Candidate<T>& c) {
-  for (const T x : c) {
-    const double magnitude = std::abs(static_cast<double>(x));
-    if (!(magnitude <= 1)) return false;
-    if (magnitude != 0 && magnitude < kLeastMagnitude) return false;
-  }
-  return std::max(std::abs(c[6]), std::abs(c[7])) >= static_cast<T>(0.5);
+  return AreConfined(c) &&
+         std::max(std::abs(c[6]), std::abs(c[7])) >= static_cast<T>(0.5);
 }
 
 template <class T>
@@ -95,48 +90,12 @@ class CandidateSource {
     return {v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y, p.x, p.y};
   }
 
-  // The same with one to three coordinates changed, mostly by a power of two of
-  // ulps. Not always admissible.
-  Candidate<T> Mutant(Candidate<T> c) {
-    const std::uint64_t changes = 1 + random_.Below(3);
-    for (std::uint64_t k = 0; k < changes; ++k) {
-      T& x = c[random_.Below(8)];
-      switch (random_.Below(8)) {
-        case 0: {  // by a length, whatever the ulp
-          const double sign = random_.Below(2) == 0 ? 1 : -1;
-          x = static_cast<T>(static_cast<double>(x) + sign * Length());
-          break;
-        }
-        case 1:  // to one like another vertex's or the point's
-          x = c[(static_cast<std::size_t>(&x - c.data()) +
-                 2 * (1 + random_.Below(3))) %
-                8];
-          break;
-        default:
-          x = Moved(x, Ulps());
-      }
-    }
-    return c;
-  }
+  // Not always admissible.
+  Candidate<T> Mutant(const Candidate<T>& c) { return MutantOf<2>(c, random_); }
 
  private:
-  // 2^0 to 2^digits, either sign.
-  std::int64_t Ulps() {
-    const auto shift = random_.Below(std::numeric_limits<T>::digits);
-    const auto ulps = std::int64_t{1} << shift;
-    return random_.Below(2) == 0 ? ulps : -ulps;
-  }
-
-  double Length() {
-    return std::ldexp(
-        1.0, -static_cast<int>(random_.Below(std::numeric_limits<T>::digits)));
-  }
-
-  // `steps` numbers away, but not to what is not finite.
-  static T Moved(T x, std::int64_t steps) {
-    const T moved = Step(x, steps);
-    return std::isfinite(moved) ? moved : x;
-  }
+  std::int64_t Ulps() { return AnyUlps<T>(random_); }
+  double Length() { return AnyLength<T>(random_); }
 
   Random random_;
 };

@@ -9,18 +9,26 @@
 
 #include "harness/scenes/generate.h"
 #include "kernels/kernels.h"
+#include "kernels/rays/ray_kernels.h"
 
 namespace pitbench {
 
 // A scene of a profile, the loops and the scalar for which it is made, and how
 // much it holds.
-struct ProfileScene {
+template <class LoopOf>
+struct ListedScene {
   std::string name;
-  std::vector<Loop> loops;
+  std::vector<LoopOf> loops;
   Scalar scalar;
-  bool weights;  // whether kernels that write weights meet it too
+  // Whether kernels that write weights (of rays: t, u and v) meet it too.
+  bool weights;
   std::vector<std::string_view> methods = {};  // only these; all if empty
+  std::vector<Isa> isas = {};                  // only these; all if empty
+  // Whether it is timed by 1 to all CPUs at once, in a shard of its own.
+  bool threads = false;
 };
+using ProfileScene = ListedScene<Loop>;
+using RayProfileScene = ListedScene<RayLoop>;
 
 struct Profile {
   std::string_view name;
@@ -29,6 +37,12 @@ struct Profile {
   SceneSize accuracy_size;  // of the scenes that do not name their own
   SceneSize speed_size;
   double seconds_per_sample;  // how long one repetition lasts, at the least
+  std::vector<RayProfileScene> ray_speed = {};
+  std::vector<RayProfileScene> ray_accuracy = {};
+  // Of the rays' hard scenes: exact answers take longer in space.
+  SceneSize RayAccuracySize() const {
+    return {.groups = accuracy_size.groups / 6 + 1, .size = accuracy_size.size};
+  }
 };
 
 // The profiles `tiny` (for tests), `quick` and `full`. Throws SceneError for
@@ -42,19 +56,36 @@ Profile WithScenes(const Profile& profile,
 
 // A shard: the part of a profile that one process works off into one file.
 struct Shard {
-  std::string name;    // e.g. "speed-one_triangle-f32"
-  std::string kind;    // the command: "speed", "accuracy" or "maps"
-  std::string filter;  // a regular expression on the names of cells, or of maps
+  std::string name;  // e.g. "speed-one_triangle-f32"
+  std::string kind;  // the command: "limits", "speed", "accuracy", "maps", …
+  std::string filter;  // a regular expression on the names of cells, maps, …
 };
 std::vector<Shard> Shards(const Profile& profile);
 
-// `loop/scene/method/scalar/isa`
-std::string CellName(const Kernel& kernel, std::string_view scene);
+// `loop/scene/method/scalar/isa`. KernelType is Kernel or RayKernel.
+template <class KernelType>
+std::string CellName(const KernelType& kernel, std::string_view scene) {
+  std::string name(Name(kernel.loop, kernel.output));
+  name.append("/").append(scene).append("/").append(kernel.method.key);
+  name.append("/").append(Name(kernel.scalar));
+  name.append("/").append(Name(kernel.isa));
+  return name;
+}
+// What filters look at: the same, with `/threads` behind it where the scene is
+// timed by several threads.
+template <class KernelType, class LoopOf>
+std::string CellName(const KernelType& kernel,
+                     const ListedScene<LoopOf>& scene) {
+  return CellName(kernel, scene.name) + (scene.threads ? "/threads" : "");
+}
 
 // The kernels that run here, meet `scene` in `loop`, and whose cell the filter
 // finds.
 std::vector<const Kernel*> KernelsFor(const ProfileScene& scene, Loop loop,
                                       const std::regex& filter);
+std::vector<const RayKernel*> KernelsFor(const RayProfileScene& scene,
+                                         RayLoop loop,
+                                         const std::regex& filter);
 
 }  // namespace pitbench
 

@@ -26,7 +26,7 @@ namespace pitbench {
 // Ask(kernel, scene, truth).
 template <class T>
 nlohmann::json ErrorClasses(const Kernel& kernel, const Answers<T>& answers,
-                            SceneDetails<T>& details);
+                            SceneDetails<Scene<T>>& details);
 
 }  // namespace pitbench
 

@@ -27,21 +27,87 @@ inline std::uint64_t Chain(std::uint64_t x) {
   return x;
 }
 
-}  // namespace
+// 512 operations: 16 times 16 additions of integers, 8 multiplications and 8
+// additions of floating-point numbers. Each waits for the one 32 operations
+// before it (integers: 8 before it of the 16), which is longer than its latency
+// however many a CPU does at once. The registers hold what they may: zeros.
+inline void FillPorts() {
+#if defined(__x86_64__)
+  asm volatile(
+      "xor %%eax, %%eax; xor %%ecx, %%ecx; xor %%edx, %%edx\n\t"
+      "xor %%esi, %%esi; xor %%edi, %%edi; xor %%r8d, %%r8d\n\t"
+      "xor %%r9d, %%r9d; xor %%r10d, %%r10d\n\t"
+      ".irp r, 0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15\n\t"
+      "xorps %%xmm\\r, %%xmm\\r\n\t"
+      ".endr\n\t"
+      ".rept 16\n\t"
+      "add %%rax, %%rax; add %%rcx, %%rcx; mulps %%xmm0, %%xmm0\n\t"
+      "addps %%xmm8, %%xmm8; add %%rdx, %%rdx; add %%rsi, %%rsi\n\t"
+      "mulps %%xmm1, %%xmm1; addps %%xmm9, %%xmm9; add %%rdi, %%rdi\n\t"
+      "add %%r8, %%r8; mulps %%xmm2, %%xmm2; addps %%xmm10, %%xmm10\n\t"
+      "add %%r9, %%r9; add %%r10, %%r10; mulps %%xmm3, %%xmm3\n\t"
+      "addps %%xmm11, %%xmm11; add %%rax, %%rax; add %%rcx, %%rcx\n\t"
+      "mulps %%xmm4, %%xmm4; addps %%xmm12, %%xmm12; add %%rdx, %%rdx\n\t"
+      "add %%rsi, %%rsi; mulps %%xmm5, %%xmm5; addps %%xmm13, %%xmm13\n\t"
+      "add %%rdi, %%rdi; add %%r8, %%r8; mulps %%xmm6, %%xmm6\n\t"
+      "addps %%xmm14, %%xmm14; add %%r9, %%r9; add %%r10, %%r10\n\t"
+      "mulps %%xmm7, %%xmm7; addps %%xmm15, %%xmm15\n\t"
+      ".endr" ::
+          : "rax", "rcx", "rdx", "rsi", "rdi", "r8", "r9", "r10", "cc", "xmm0",
+            "xmm1", "xmm2", "xmm3", "xmm4", "xmm5", "xmm6", "xmm7", "xmm8",
+            "xmm9", "xmm10", "xmm11", "xmm12", "xmm13", "xmm14", "xmm15");
+#elif defined(__aarch64__)
+  asm volatile(
+      ".irp r, 0,1,2,3,4,5,6,7\n\t"
+      "mov x\\r, xzr\n\t"
+      "movi v\\r\\().2d, #0\n\t"
+      ".endr\n\t"
+      ".irp r, 16,17,18,19,20,21,22,23\n\t"
+      "movi v\\r\\().2d, #0\n\t"
+      ".endr\n\t"
+      ".rept 16\n\t"
+      ".irp r, 0,1,2,3,4,5,6,7\n\t"
+      "add x\\r, x\\r, x\\r\n\t"
+      "fmul v\\r\\().4s, v\\r\\().4s, v\\r\\().4s\n\t"
+      ".endr\n\t"
+      ".irp r, 0,1,2,3,4,5,6,7\n\t"
+      "add x\\r, x\\r, x\\r\n\t"
+      ".endr\n\t"
+      ".irp r, 16,17,18,19,20,21,22,23\n\t"
+      "fadd v\\r\\().4s, v\\r\\().4s, v\\r\\().4s\n\t"
+      ".endr\n\t"
+      ".endr" ::
+          : "x0", "x1", "x2", "x3", "x4", "x5", "x6", "x7", "v0", "v1", "v2",
+            "v3", "v4", "v5", "v6", "v7", "v16", "v17", "v18", "v19", "v20",
+            "v21", "v22", "v23");
+#endif
+}
 
-double ClockGhz() {
-  constexpr int kRounds = 20000;
+// How often a nanosecond `step` does something that it does `count` times, in
+// the median of the samples.
+template <class Step>
+double PerNanosecond(int rounds, double count, const Step& step) {
   std::array<double, 15> samples{};
-  std::uint64_t x = 0;
   for (double& sample : samples) {
     const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < kRounds; ++i) x = Chain(x);
+    for (int i = 0; i < rounds; ++i) step();
     const std::chrono::duration<double, std::nano> time =
         std::chrono::steady_clock::now() - start;
-    sample = 64.0 * kRounds / time.count();
+    sample = count * rounds / time.count();
   }
   std::sort(samples.begin(), samples.end());
   return samples[samples.size() / 2];
+}
+
+}  // namespace
+
+double ClockGhz() {
+  std::uint64_t x = 0;
+  return PerNanosecond(20000, 64, [&x] { x = Chain(x); });
+}
+
+double ThroughputGops() {
+  return PerNanosecond(20000, 512, [] { FillPorts(); });
 }
 
 double StealSeconds() {

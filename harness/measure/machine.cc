@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "harness/measure/measured_kernels.h"
 #include "kernels/kernels.h"
 
 namespace pitbench {
@@ -155,6 +156,11 @@ json DescribeMachine(std::uint64_t seed) {
   const std::string highway = std::to_string(HWY_MAJOR) + "." +
                               std::to_string(HWY_MINOR) + "." +
                               std::to_string(HWY_PATCH);
+  json libraries = {{"highway", highway},
+                    {"benchmark", PITBENCH_BENCHMARK_VERSION},
+                    {"eigen", PITBENCH_EIGEN_VERSION},
+                    {"gmp", gmp_version}};
+  libraries.update(PeerVersions());
   return {
       {"schema", "pitbench-machine-1"},
       {"cpu", Cpu()},
@@ -163,13 +169,10 @@ json DescribeMachine(std::uint64_t seed) {
        {{"id", PITBENCH_COMPILER},
         {"version", PITBENCH_COMPILER_VERSION},
         {"flags", Flags()}}},
-      {"libraries",
-       {{"highway", highway},
-        {"benchmark", PITBENCH_BENCHMARK_VERSION},
-        {"eigen", PITBENCH_EIGEN_VERSION},
-        {"gmp", gmp_version}}},
+      {"libraries", libraries},
       {"revision", Revision()},
       {"dirty", Dirty()},
+      {"kernel_hash", kKernelHash},
       {"seed", seed},
       {"memory_bytes", static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
                            static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE))}};

@@ -6,36 +6,18 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "harness/measure/answers.h"
 #include "harness/measure/cells.h"
+#include "harness/measure/map_entries.h"
 
 namespace pitbench {
 namespace {
 
 using nlohmann::json;
-
-// RFC 4648.
-std::string Base64(const Bits& bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(bytes.size() - i, 3);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (k < n ? bytes[i + k] : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text.push_back(k <= n ? kDigits[group >> (18 - 6 * k) & 63] : '=');
-    }
-  }
-  return text;
-}
 
 std::string Hex(double x) {
   std::array<char, 40> buffer{};
@@ -45,29 +27,6 @@ std::string Hex(double x) {
 
 json Hex(const Point<float>& p) {
   return {Hex(static_cast<double>(p.x)), Hex(static_cast<double>(p.y))};
-}
-
-// Of every method and scalar the kernel on the widest ISA that runs here.
-std::vector<const Kernel*> WidestKernels(Loop loop, Output output) {
-  std::map<std::pair<std::string_view, Scalar>, std::size_t> place;
-  std::vector<const Kernel*> widest;
-  for (const Kernel& kernel : AllKernels()) {
-    if (kernel.loop != loop || kernel.output != output ||
-        !RunsHere(kernel.isa)) {
-      continue;
-    }
-    const auto [at, is_new] = place.emplace(
-        std::pair{kernel.method.key, kernel.scalar}, widest.size());
-    if (is_new) widest.push_back(&kernel);
-    if (kernel.isa > widest[at->second]->isa) widest[at->second] = &kernel;
-  }
-  return widest;
-}
-
-json Named(const Kernel& kernel) {
-  return {{"method", kernel.method.key},
-          {"scalar", Name(kernel.scalar)},
-          {"isa", Name(kernel.isa)}};
 }
 
 constexpr std::size_t kSide = 256;  // of an ulp map, in points
@@ -186,8 +145,8 @@ json MakeMaps(const std::regex& filter) {
   };
   json ulp_maps = json::array();
   for (const Kernel* kernel :
-       WidestKernels(Loop::kOneTriangle, Output::kInside)) {
-    if (kernel->scalar == Scalar::kI32 || !wanted(*kernel, "ulp_map")) continue;
+       WidestKernels(AllKernels(), Loop::kOneTriangle, Output::kInside)) {
+    if (!IsFloat(kernel->scalar) || !wanted(*kernel, "ulp_map")) continue;
     ulp_maps.push_back(kernel->scalar == Scalar::kF32
                            ? UlpMap<float>(*kernel)
                            : UlpMap<double>(*kernel));
@@ -198,7 +157,7 @@ json MakeMaps(const std::regex& filter) {
         {"far_away", kFarAway}}) {
     const Scene<float> scene = GradientScene(name, corner);
     for (const Kernel* kernel :
-         WidestKernels(Loop::kOneTriangle, Output::kWeights)) {
+         WidestKernels(AllKernels(), Loop::kOneTriangle, Output::kWeights)) {
       if (kernel->scalar != Scalar::kF32 || !wanted(*kernel, scene.name)) {
         continue;
       }

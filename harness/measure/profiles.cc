@@ -3,6 +3,9 @@
 
 #include "harness/input/nearest.h"
 #include "harness/measure/cells.h"
+#include "harness/measure/input_scenes.h"
+#include "harness/measure/rays/ray_scenes.h"
+#include "harness/scenes/rays/ray_scene.h"
 
 namespace pitbench {
 namespace {
@@ -11,6 +14,8 @@ using Scenes = std::vector<ProfileScene>;
 
 const std::vector<Loop> kFloatLoops = {Loop::kOneTriangle, Loop::kOnePoint,
                                        Loop::kPairs};
+const std::vector<Loop> kEveryFloatLoop = {
+    Loop::kOneTriangle, Loop::kOneTriangleAos, Loop::kOnePoint, Loop::kPairs};
 
 // 0, 2^0, 2^step, … 2^16.
 std::vector<int> PowersOfTwo(int step) {
@@ -64,10 +69,10 @@ void AddSwept(Scenes& scenes, int step, const std::vector<Loop>& swept) {
 }
 
 void AddScenes(Scenes& scenes, std::initializer_list<const char*> names,
-               bool weights) {
+               bool weights, const std::vector<Loop>& loops = kFloatLoops) {
   for (const Scalar scalar : {Scalar::kF32, Scalar::kF64}) {
     for (const char* name : names) {
-      scenes.push_back({name, kFloatLoops, scalar, weights});
+      scenes.push_back({name, loops, scalar, weights});
     }
   }
 }
@@ -75,6 +80,13 @@ void AddScenes(Scenes& scenes, std::initializer_list<const char*> names,
 void AddGrid(Scenes& scenes, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     scenes.push_back({name, {Loop::kGrid}, Scalar::kI32, false});
+  }
+}
+
+// Its pixels as a list of points, in every scalar that there is.
+void AddGridPoints(Scenes& scenes, const char* name) {
+  for (const Scalar scalar : {Scalar::kI32, Scalar::kI16, Scalar::kU8}) {
+    scenes.push_back({name, {Loop::kOneTriangle}, scalar, false});
   }
 }
 
@@ -120,9 +132,20 @@ Profile Tiny() {
   AddScenes(tiny.speed, {"near_edge:ulps=1:sets=fresh"}, false);
   AddEdgeShares(tiny.speed, {0, 100});
   AddGrid(tiny.speed, {"grid_80x50:sets=fresh"});
+  AddGridPoints(tiny.speed, "grid_points_80x50:sets=fixed");
+  AddHitRates(tiny.speed, Scalar::kF32, {0, 100}, {"fresh", "fixed"});
+  AddSizes(tiny.speed, Scalar::kF32, PointCounts(0, 12, 6), "fresh");
+  AddThreads(tiny.speed, Scalar::kF32, "1M");
+  AddSideBySide(tiny.speed, Scalar::kF32,
+                {"uniform:hit=50:bytes=24k:sets=fresh"});
   AddGrid(tiny.accuracy, {"grid_80x50:sets=fixed"});
+  AddGridPoints(tiny.accuracy, "grid_points_80x50:sets=fixed");
   AddSwept(tiny.accuracy, 16, {Loop::kOneTriangle});
   AddKinds(tiny.accuracy);
+  AddRays(tiny.ray_speed, {"rays_uniform:hit=50:bytes=24k:sets=fresh"}, false);
+  AddRays(tiny.ray_accuracy, {"rays_uniform:hit=50:bytes=24k:sets=fresh"},
+          true);
+  AddSweptRays(tiny.ray_accuracy, 16);
   return tiny;
 }
 
@@ -133,15 +156,31 @@ Profile Quick() {
                 .accuracy = {},
                 .accuracy_size = {.groups = 900, .size = 67},
                 .speed_size = kHardSpeedSize,
-                .seconds_per_sample = 4e-3};
-  AddScenes(quick.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
+                .seconds_per_sample = 3.4e-3};
+  AddScenes(quick.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true,
+            kEveryFloatLoop);
   AddScenes(quick.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
   AddGrid(quick.speed, {"grid_80x50:sets=fresh", "grid_80x50:sets=fixed"});
+  AddGridPoints(quick.speed, "grid_points_80x50:sets=fresh");
   AddEdgeShares(quick.speed, {0, 1, 10, 100});
-  AddScenes(quick.accuracy, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
+  AddHitRates(quick.speed, Scalar::kF32, {0, 1, 10, 90, 100},
+              {"fresh", "fixed"});
+  AddSizes(quick.speed, Scalar::kF32, {1}, "fresh");
+  AddSizes(quick.speed, Scalar::kF32, PointCounts(4, 12, 2), "fresh");
+  AddSizes(quick.speed, Scalar::kF32, PointCounts(16, 24, 4), "fresh");
+  AddThreads(quick.speed, Scalar::kF32, "64M");
+  AddSideBySide(quick.speed, Scalar::kF32,
+                {"uniform:hit=50:n=16777216:sets=fresh"});
+  AddScenes(quick.accuracy, {"uniform:hit=50:bytes=24k:sets=fresh"}, true,
+            kEveryFloatLoop);
   AddGrid(quick.accuracy, {"grid_80x50:sets=fresh"});
+  AddGridPoints(quick.accuracy, "grid_points_80x50:sets=fixed");
   AddSwept(quick.accuracy, 2, {Loop::kOneTriangle});
   AddKinds(quick.accuracy);
+  AddTimedRays(quick.ray_speed, /*full=*/false);
+  AddRays(quick.ray_accuracy, {"rays_uniform:hit=50:bytes=24k:sets=fresh"},
+          true);
+  AddSweptRays(quick.ray_accuracy, 8);
   return quick;
 }
 
@@ -151,11 +190,11 @@ Profile Full() {
                .accuracy = {},
                .accuracy_size = {.groups = 2000, .size = 67},
                .speed_size = kHardSpeedSize,
-               .seconds_per_sample = 5e-2};
+               .seconds_per_sample = 1e-2};
   AddScenes(full.speed,
             {"uniform:hit=50:bytes=24k:sets=fresh",
              "uniform:hit=50:bytes=512k:sets=fresh"},
-            true);
+            true, kEveryFloatLoop);
   AddScenes(full.speed,
             {"uniform:hit=50:bytes=24k:sets=fixed",
              "uniform:hit=10:bytes=24k:sets=fresh",
@@ -166,13 +205,30 @@ Profile Full() {
             {"near_edge:ulps=1:sets=fresh", "near_edge:ulps=1:sets=fixed",
              "needle:aspect=12:sets=fresh", "needle:aspect=12:sets=fixed",
              "offset:ratio=8:sets=fresh", "offset:ratio=8:sets=fixed"},
-            false);
+            false, {Loop::kOneTriangle});
   AddGrid(full.speed, {"grid_80x50:sets=fresh", "grid_80x50:sets=fixed"});
+  AddGridPoints(full.speed, "grid_points_80x50:sets=fresh");
   AddEdgeShares(full.speed, {0, 1, 2, 5, 10, 20, 50, 100});
-  AddScenes(full.accuracy, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
+  for (const Scalar scalar : {Scalar::kF32, Scalar::kF64}) {
+    AddHitRates(full.speed, scalar, {0, 1, 100}, {"fresh", "fixed"});
+    AddHitRates(full.speed, scalar, {10, 90}, {"fixed"});  // fresh: above
+    const int step = scalar == Scalar::kF32 ? 1 : 4;
+    AddSizes(full.speed, scalar, PointCounts(0, 24, step), "fresh");
+    AddSizes(full.speed, scalar, PointCounts(0, 16, 4), "fixed");
+    AddSideBySide(full.speed, scalar, {"uniform:hit=50:bytes=64M:sets=fresh"});
+    AddThreads(full.speed, scalar, "64M");
+    AddThreads(full.speed, scalar, "128M");
+  }
+  AddScenes(full.accuracy, {"uniform:hit=50:bytes=24k:sets=fresh"}, true,
+            kEveryFloatLoop);
   AddGrid(full.accuracy, {"grid_80x50:sets=fresh"});
+  AddGridPoints(full.accuracy, "grid_points_80x50:sets=fresh");
   AddSwept(full.accuracy, 1, kFloatLoops);
   AddKinds(full.accuracy);
+  AddTimedRays(full.ray_speed, /*full=*/true);
+  AddRays(full.ray_accuracy, {"rays_uniform:hit=50:bytes=24k:sets=fresh"},
+          true);
+  AddSweptRays(full.ray_accuracy, 4);
   return full;
 }
 
@@ -192,14 +248,20 @@ Profile WithScenes(const Profile& profile,
                    const std::vector<std::string>& scenes) {
   Profile chosen = profile;
   chosen.speed.clear();
+  chosen.ray_speed.clear();
   for (const std::string& name : scenes) {
     if (ParseScene(name).family == "grid_80x50") {
       AddGrid(chosen.speed, {name.c_str()});
+    } else if (ParseScene(name).family == "grid_points_80x50") {
+      AddGridPoints(chosen.speed, name.c_str());
+    } else if (IsRayFamily(ParseScene(name).family)) {
+      AddRays(chosen.ray_speed, {name}, /*tuv=*/true);
     } else {
-      AddScenes(chosen.speed, {name.c_str()}, true);
+      AddScenes(chosen.speed, {name.c_str()}, true, kEveryFloatLoop);
     }
   }
   chosen.accuracy = chosen.speed;
+  chosen.ray_accuracy = chosen.ray_speed;
   return chosen;
 }
 

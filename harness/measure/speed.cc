@@ -2,20 +2,26 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
-#include <sstream>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/measure/answers.h"
+#include "harness/measure/rays/ray_speed.h"
+#include "harness/measure/threads.h"
+#include "kernels/placements.h"
 
 namespace pitbench {
 namespace {
 
-// The kernel that is registered twice in every loop and scene.
-bool IsTwin(const Kernel& kernel) {
+// The kernel whose time is known to be that of its `…/twin` and half of that
+// of its `…/doubled`, in every loop and scene.
+bool IsControl(const Kernel& kernel) {
   return kernel.method.key == "edge_function" &&
          kernel.output == Output::kInside &&
          (kernel.isa == Isa::kAvx2 || kernel.isa == Isa::kNeon);
@@ -48,134 +54,176 @@ struct Sink {
   }
 };
 
-template <class T>
+// `xy`: what PointsFor gives.
+template <int kCalls, class T>
 void TimeKernel(benchmark::State& state, const Kernel& kernel,
-                const Scene<T>& scene) {
+                const Scene<T>& scene, const Array<T>& xy) {
   Sink<T> sink(kernel, scene);
-  const Result<T> result = sink.Target();
-  const KernelFunction<T> run = FunctionOf<T>(kernel);
+  const auto thread = static_cast<std::size_t>(state.thread_index());
+  const auto threads = static_cast<std::size_t>(state.threads());
+  if (threads > 1) PinThread(state.thread_index());
   std::vector<Batch<T>> batches;
-  for (const Call& call : scene.calls) batches.push_back(scene.BatchOf(call));
-  std::size_t next = 0;
-  for (auto _ : state) {
-    run(batches[next], result);
-    benchmark::ClobberMemory();
-    if (++next == batches.size()) next = 0;
+  for (const Call& call : scene.calls) {
+    batches.push_back(scene.BatchOf(
+        threads > 1 ? PartOf(call, thread, threads) : call, xy.data()));
   }
+  TimeBatches<kCalls>(state, FunctionOf<T>(kernel), batches, sink.Target());
   const Call& call = scene.calls.front();
-  const auto items = static_cast<double>(call.n);
   const auto bytes = static_cast<double>(scene.BytesRead(call));
-  state.SetItemsProcessed(static_cast<std::int64_t>(
-      static_cast<std::size_t>(state.iterations()) * call.n));
-  state.counters["items"] = items;
-  state.counters["working_set_bytes"] = bytes;
-  state.counters["bytes_per_item"] = bytes / items;
+  const bool first = thread == 0;
+  SetWork(state,
+          {.items = threads > 1 ? PartOf(call, thread, threads).n : call.n,
+           .working_set_bytes = first ? bytes : 0,
+           .bytes_per_item = first ? bytes / static_cast<double>(call.n) : 0,
+           .scene_bytes = first ? static_cast<double>(scene.Bytes()) : 0});
 }
 
-// The scenes of a run stay alive until it is over, with what is registered.
-class Registry {
+// Adds the cells of scenes, which stay alive with what is added.
+class Cells {
  public:
-  Registry() { benchmark::ClearRegisteredBenchmarks(); }
+  explicit Cells(Benchmarks& benchmarks) : benchmarks_(benchmarks) {}
 
   template <class T>
-  void Add(std::shared_ptr<const Scene<T>> scene,
+  void Add(std::shared_ptr<const Scene<T>> scene, const ProfileScene& listed,
            const std::vector<const Kernel*>& kernels) {
     if (kernels.empty()) return;
     const SceneTruth truth = JudgeScene(*scene);
+    std::shared_ptr<const Array<T>> side_by_side;  // one for all that read it
     for (const Kernel* kernel : kernels) {
       const std::optional<std::string> refusal =
           Refusal(*kernel, *scene, truth);
       const std::string name = CellName(*kernel, scene->name);
-      ++cells;
+      benchmarks_.CountCell();
       if (refusal) {
-        ++refused;
-        Register(name, [why = *refusal](benchmark::State& state) {
-          state.SkipWithError(why.c_str());
-        });
+        benchmarks_.Refuse(name, *refusal);
         continue;
       }
-      const auto time = [kernel, scene](benchmark::State& state) {
-        TimeKernel(state, *kernel, *scene);
+      const bool aos = kernel->loop == Loop::kOneTriangleAos;
+      if (aos && !side_by_side) {
+        side_by_side =
+            std::make_shared<const Array<T>>(scene->PointsSideBySide());
+      }
+      const auto xy = aos ? side_by_side : std::make_shared<const Array<T>>();
+      const auto time = [kernel, scene, xy](benchmark::State& state) {
+        TimeKernel<1>(state, *kernel, *scene, *xy);
       };
-      Register(name, time);
-      if (IsTwin(*kernel)) Register(name + "/twin", time);
+      if (listed.threads) {
+        benchmarks_.AddForThreads(name, time);
+        continue;
+      }
+      benchmarks_.Add(name, time);
+      if (IsControl(*kernel) && listed.methods.empty()) {
+        benchmarks_.Add(name + "/twin", time);
+        benchmarks_.Add(name + "/doubled",
+                        [kernel, scene, xy](benchmark::State& state) {
+                          TimeKernel<2>(state, *kernel, *scene, *xy);
+                        });
+      }
+      if (placed_.insert(kernel).second) AddPlacements(*kernel, scene, truth);
     }
   }
 
-  std::size_t cells = 0;
-  std::size_t refused = 0;
-
  private:
-  template <class Function>
-  void Register(const std::string& name, Function function) {
-    benchmark::RegisterBenchmark(name.c_str(), function)
-        ->Unit(benchmark::kNanosecond);
+  // The copies of a kernel whose code lies elsewhere, as `…/placed_<shift>`.
+  template <class T>
+  void AddPlacements(const Kernel& kernel,
+                     const std::shared_ptr<const Scene<T>>& scene,
+                     const SceneTruth& truth) {
+    for (const Placement& placement : Placements()) {
+      const Kernel& copy = placement.kernel;
+      if (copy.method.key != kernel.method.key || copy.isa != kernel.isa ||
+          copy.loop != kernel.loop || copy.scalar != kernel.scalar ||
+          copy.output != kernel.output || Refusal(copy, *scene, truth)) {
+        continue;
+      }
+      benchmarks_.Add(CellName(copy, scene->name) + "/placed_" +
+                          std::to_string(placement.shift),
+                      [&copy, scene](benchmark::State& state) {
+                        TimeKernel<1>(state, copy, *scene, {});
+                      });
+    }
   }
+
+  Benchmarks& benchmarks_;
+  std::set<const Kernel*> placed_;  // in the first scene of a shard only
 };
 
-// Runs what is registered, each sample for `seconds` at the least, and returns
-// Google Benchmark's report. Flags and not settings of each benchmark: those
-// would become part of its name.
-nlohmann::json Run(double seconds) {
-  std::vector<std::string> flags = {
-      "pitbench", "--benchmark_enable_random_interleaving=true",
-      "--benchmark_repetitions=" + std::to_string(kRepetitions),
-      "--benchmark_min_time=" + std::to_string(seconds)};
-  std::vector<char*> argv;
-  argv.reserve(flags.size());
-  for (std::string& flag : flags) argv.push_back(flag.data());
-  int argc = static_cast<int>(argv.size());
-  benchmark::Initialize(&argc, argv.data());
-  std::ostringstream text;
-  benchmark::JSONReporter reporter;
-  reporter.SetOutputStream(&text);
-  reporter.SetErrorStream(&text);
-  benchmark::RunSpecifiedBenchmarks(&reporter);
-  nlohmann::json file = nlohmann::json::parse(text.str());
-  file["context"].erase("host_name");
-  file["context"].erase("executable");
-  return file;
+// A scene that no profile lists, for all that can be timed on it.
+template <class T>
+ProfileScene ListingOf(const Scene<T>& scene) {
+  return {scene.name, {scene.loop}, ScalarOf<T>(), /*weights=*/true};
+}
+
+bool Lists(const ProfileScene& listed, Loop loop) {
+  return std::find(listed.loops.begin(), listed.loops.end(), loop) !=
+         listed.loops.end();
 }
 
 }  // namespace
 
 SpeedRun MeasureSpeed(const Profile& profile, const std::regex& filter,
                       std::uint64_t seed) {
-  Registry registry;
+  Benchmarks benchmarks;
+  Cells cells(benchmarks);
   const auto add = [&]<class T>(const ProfileScene& listed, Loop loop, T) {
-    const std::vector<const Kernel*> kernels = KernelsFor(listed, loop, filter);
+    std::vector<const Kernel*> kernels = KernelsFor(listed, loop, filter);
+    // Both layouts of the points by one scene, which may be large, judged once.
+    if (loop == Loop::kOneTriangle && Lists(listed, Loop::kOneTriangleAos)) {
+      const auto more = KernelsFor(listed, Loop::kOneTriangleAos, filter);
+      kernels.insert(kernels.end(), more.begin(), more.end());
+    }
     if (kernels.empty()) return;
-    registry.Add(std::make_shared<const Scene<T>>(MakeScene<T>(
-                     ParseScene(listed.name), loop, profile.speed_size, seed)),
-                 kernels);
+    cells.Add(std::make_shared<const Scene<T>>(MakeScene<T>(
+                  ParseScene(listed.name), loop, profile.speed_size, seed)),
+              listed, kernels);
   };
   for (const ProfileScene& listed : profile.speed) {
     for (const Loop loop : listed.loops) {
+      if (loop == Loop::kOneTriangleAos && Lists(listed, Loop::kOneTriangle)) {
+        continue;  // with it
+      }
       if (listed.scalar == Scalar::kF32) add(listed, loop, float{});
       if (listed.scalar == Scalar::kF64) add(listed, loop, double{});
       if (listed.scalar == Scalar::kI32) add(listed, loop, std::int32_t{});
+      if (listed.scalar == Scalar::kI16) add(listed, loop, std::int16_t{});
+      if (listed.scalar == Scalar::kU8) add(listed, loop, std::uint8_t{});
     }
   }
-  if (registry.cells == 0) return {};
-  return {Run(profile.seconds_per_sample), registry.cells, registry.refused};
+  AddRayCells(benchmarks, profile, filter, seed);
+  return benchmarks.Run(profile.seconds_per_sample);
 }
 
 SpeedRun MeasureSpeedOn(const std::vector<Scene<float>>& f32,
                         const std::vector<Scene<double>>& f64,
                         const std::regex& filter, double seconds) {
-  Registry registry;
+  Benchmarks benchmarks;
+  Cells cells(benchmarks);
   const auto add = [&]<class T>(const std::vector<Scene<T>>& scenes) {
     for (const Scene<T>& scene : scenes) {
-      const ProfileScene listed{
-          scene.name, {scene.loop}, ScalarOf<T>(), /*weights=*/true};
-      registry.Add(std::make_shared<const Scene<T>>(scene),
-                   KernelsFor(listed, scene.loop, filter));
+      const ProfileScene listed = ListingOf(scene);
+      cells.Add(std::make_shared<const Scene<T>>(scene), listed,
+                KernelsFor(listed, scene.loop, filter));
     }
   };
   add(f32);
   add(f64);
-  if (registry.cells == 0) return {};
-  return {Run(seconds), registry.cells, registry.refused};
+  return benchmarks.Run(seconds);
 }
+
+template <class T>
+SpeedRun MeasureKernels(const std::vector<const Kernel*>& kernels,
+                        const Scene<T>& scene, double seconds) {
+  Benchmarks benchmarks;
+  Cells cells(benchmarks);
+  cells.Add(std::make_shared<const Scene<T>>(scene), ListingOf(scene), kernels);
+  return benchmarks.Run(seconds);
+}
+
+template SpeedRun MeasureKernels(const std::vector<const Kernel*>&,
+                                 const Scene<float>&, double);
+template SpeedRun MeasureKernels(const std::vector<const Kernel*>&,
+                                 const Scene<double>&, double);
+template SpeedRun MeasureKernels(const std::vector<const Kernel*>&,
+                                 const Scene<std::int32_t>&, double);
 
 }  // namespace pitbench

@@ -9,28 +9,22 @@
 //   - the machine's pace drifts, so the repetitions of all cells of a shard are
 //     run in random order and compared only within the shard;
 //   - a difference may be no difference, so one kernel of every loop is
-//     registered twice (`…/twin`): what the two seem to differ by is noise.
+//     registered twice (`…/twin`): what the two seem to differ by is noise; and
+//     a real one may be missed, so it is there a third time with two calls for
+//     one (`…/doubled`), which has to come out at twice the time;
+//   - where code lies changes its time, so some kernels are timed with theirs
+//     in other places too (`…/placed_<bytes>`, kernels/placements.h).
 // Repetitions are kept, not averaged: the analysis makes intervals of them.
 #ifndef PITBENCH_HARNESS_MEASURE_SPEED_H_
 #define PITBENCH_HARNESS_MEASURE_SPEED_H_
 
-#include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <regex>
 
+#include "harness/measure/benchmarks.h"
 #include "harness/measure/cells.h"
 
 namespace pitbench {
-
-inline constexpr int kRepetitions = 9;
-
-struct SpeedRun {
-  nlohmann::json file;  // Google Benchmark's format, without "pitbench" in
-                        // its context
-  std::size_t cells = 0;
-  std::size_t refused = 0;
-};
 
 // Times the cells of the profile's scenes for speed that `filter` finds, on
 // the CPU that this process is pinned to.
@@ -41,6 +35,12 @@ SpeedRun MeasureSpeed(const Profile& profile, const std::regex& filter,
 SpeedRun MeasureSpeedOn(const std::vector<Scene<float>>& f32,
                         const std::vector<Scene<double>>& f64,
                         const std::regex& filter, double seconds);
+
+// The same for kernels that need not be of AllKernels(), all of the scene's
+// loop and scalar.
+template <class T>
+SpeedRun MeasureKernels(const std::vector<const Kernel*>& kernels,
+                        const Scene<T>& scene, double seconds);
 
 }  // namespace pitbench
 

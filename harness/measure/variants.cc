@@ -96,8 +96,9 @@ Scene<T> WithoutFiniteness(Scene<T> scene) {
 }  // namespace
 
 template <class T>
-Variants<T> MakeVariants(const Scene<T>& scene, const SceneTruth& truth) {
-  Variants<T> variants;
+Variants<Scene<T>> MakeVariants(const Scene<T>& scene,
+                                const SceneTruth& truth) {
+  Variants<Scene<T>> variants;
   const Scene<T> begun = Beginning(scene);
   for (std::size_t c = 0; c < begun.calls.size(); ++c) {
     ForEachAnswer(scene, scene.calls[c], truth.calls[c].strict,
@@ -118,7 +119,7 @@ Variants<T> MakeVariants(const Scene<T>& scene, const SceneTruth& truth) {
   variants.changed.emplace_back("reversed_winding", std::move(reversed));
   variants.changed.emplace_back("rotated_vertices", std::move(rotated));
   variants.changed.emplace_back("swapped_vertices", std::move(swapped));
-  if (scene.loop != Loop::kGrid) {
+  if (scene.loop != Loop::kGrid && std::is_signed_v<T>) {
     variants.changed.emplace_back("negated", EachCoordinate(begun, [](T x) {
                                     return static_cast<T>(-x);
                                   }));
@@ -151,9 +152,15 @@ Variants<T> MakeVariants(const Scene<T>& scene, const SceneTruth& truth) {
   return variants;
 }
 
-template Variants<float> MakeVariants(const Scene<float>&, const SceneTruth&);
-template Variants<double> MakeVariants(const Scene<double>&, const SceneTruth&);
-template Variants<std::int32_t> MakeVariants(const Scene<std::int32_t>&,
+template Variants<Scene<float>> MakeVariants(const Scene<float>&,
                                              const SceneTruth&);
+template Variants<Scene<double>> MakeVariants(const Scene<double>&,
+                                              const SceneTruth&);
+template Variants<Scene<std::int32_t>> MakeVariants(const Scene<std::int32_t>&,
+                                                    const SceneTruth&);
+template Variants<Scene<std::int16_t>> MakeVariants(const Scene<std::int16_t>&,
+                                                    const SceneTruth&);
+template Variants<Scene<std::uint8_t>> MakeVariants(const Scene<std::uint8_t>&,
+                                                    const SceneTruth&);
 
 }  // namespace pitbench

@@ -1,25 +1,16 @@
 #include "harness/measure/verify.h"
 
-#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <map>
 
 #include "harness/measure/answers.h"
+#include "harness/measure/verify_rounds.h"
 #include "harness/scenes/generate.h"
 #include "harness/truth/expected.h"
 
 namespace pitbench {
 namespace {
-
-// How much the scenes of a round hold, so that even the first round of a short
-// verification meets all of them. 67 points a triangle: every vector length
-// gets whole vectors and a tail. In some rounds they are long, so that blocks
-// of the filter are filled too.
-SceneSize SizeFor(std::size_t points, std::size_t scenes, std::uint64_t round) {
-  if (round % 8 == 7) return {.groups = 4, .size = 5000};
-  return {.groups = std::clamp<std::size_t>(points / (scenes * 67), 5, 300),
-          .size = 67};
-}
 
 // The bits that a kernel with that boundary rule should write for a call.
 template <class T>
@@ -91,12 +82,6 @@ void VerifyOn(const Scene<T>& scene, const std::vector<const Kernel*>& kernels,
   }
 }
 
-void AddSwept(std::vector<std::string>& names, const std::string& prefix,
-              std::initializer_list<int> values) {
-  for (const int value : values)
-    names.push_back(prefix + std::to_string(value));
-}
-
 }  // namespace
 
 std::vector<std::string> HardScenes(Scalar scalar) {
@@ -116,13 +101,9 @@ std::vector<std::string> HardScenes(Scalar scalar) {
              {-1070, -1022, -538, -270, 256, 511, 512, 1022});
     AddSwept(names, "exponent_spread:binades=", {4, 28, 53, 60, 90, 120});
   }
-  for (const char* kind : {"collinear", "doubled", "single"}) {
-    names.push_back("degenerate:kind=" + std::string(kind));
-  }
-  for (const char* kind :
-       {"nan", "infinite", "minus_zero", "subnormal", "largest"}) {
-    names.push_back("special:kind=" + std::string(kind));
-  }
+  AddKinds(names, "degenerate:kind=", {"collinear", "doubled", "single"});
+  AddKinds(names, "special:kind=",
+           {"nan", "infinite", "minus_zero", "subnormal", "largest"});
   for (const char* mesh : {"pair", "fan", "triangulation"}) {
     AddSwept(names, "mesh_" + std::string(mesh) + ":ulps=", {0, 1, 16});
   }
@@ -134,21 +115,15 @@ template <class T>
 Verification Verify(const std::vector<const Kernel*>& kernels,
                     std::size_t points, std::uint64_t seed,
                     const std::function<void(const Verification&)>& progress) {
-  Verification so_far;
-  const std::vector<std::string> names = HardScenes(ScalarOf<T>());
-  for (std::uint64_t round = 0; so_far.points < points; ++round) {
-    for (const std::string& name : names) {
-      for (const Loop loop :
-           {Loop::kOneTriangle, Loop::kOnePoint, Loop::kPairs}) {
-        const SceneSize size = SizeFor(points, 3 * names.size(), round);
-        VerifyOn(MakeScene<T>(ParseScene(name), loop, size, seed + round),
+  constexpr std::array kLoops = {Loop::kOneTriangle, Loop::kOnePoint,
+                                 Loop::kPairs};
+  return VerifyInRounds(
+      HardScenes(ScalarOf<T>()), kLoops, points, seed, progress,
+      [&](const std::string& name, Loop loop, SceneSize size,
+          std::uint64_t round_seed, Verification& so_far) {
+        VerifyOn(MakeScene<T>(ParseScene(name), loop, size, round_seed),
                  kernels, so_far);
-      }
-      if (progress) progress(so_far);
-      if (so_far.points >= points) break;
-    }
-  }
-  return so_far;
+      });
 }
 
 template Verification Verify<float>(

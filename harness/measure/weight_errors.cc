@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "harness/measure/error_size.h"
 #include "harness/truth/scaled_integers.h"
 #include "harness/truth/weights.h"
 
@@ -15,28 +16,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kWeighed = 512;
-
-// The largest and the mean of what is added.
-class Errors {
- public:
-  void Add(double error) {
-    largest_ = std::max(largest_, error);
-    sum_ += error;
-    ++count_;
-  }
-  // A number in JSON is finite.
-  double largest() const { return std::min(largest_, kMost); }
-  double mean() const {
-    return count_ == 0 ? 0
-                       : std::min(sum_, kMost) / static_cast<double>(count_);
-  }
-
- private:
-  static constexpr double kMost = std::numeric_limits<double>::max();
-  double largest_ = 0;
-  double sum_ = 0;
-  std::size_t count_ = 0;
-};
 
 // |w_a·A + w_b·B + w_c·C − p| in ulps of p's larger coordinate: the sum and the
 // difference exactly, the length rounded.
@@ -107,8 +86,8 @@ std::vector<WeighedAnswer> WeighAnswers(const Scene<T>& scene) {
 template <class T>
 json WeightErrors(const Answers<T>& answers,
                   const std::vector<WeighedAnswer>& weighed) {
-  Errors of_weights;
-  Errors forward;
+  ErrorSize of_weights;
+  ErrorSize forward;
   std::size_t not_finite = 0;
   mpq_class off;
   for (const WeighedAnswer& one : weighed) {
@@ -141,6 +120,8 @@ json WeightErrors(const Answers<T>& answers,
 template std::vector<WeighedAnswer> WeighAnswers(const Scene<float>&);
 template std::vector<WeighedAnswer> WeighAnswers(const Scene<double>&);
 template std::vector<WeighedAnswer> WeighAnswers(const Scene<std::int32_t>&);
+template std::vector<WeighedAnswer> WeighAnswers(const Scene<std::int16_t>&);
+template std::vector<WeighedAnswer> WeighAnswers(const Scene<std::uint8_t>&);
 template json WeightErrors(const Answers<float>&,
                            const std::vector<WeighedAnswer>&);
 template json WeightErrors(const Answers<double>&,

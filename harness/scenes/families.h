@@ -59,6 +59,11 @@ Scene<T> CorpusScene(const SceneSpec& spec, Loop loop, SceneSize size,
 
 Scene<std::int32_t> GridScene(const SceneSpec& spec, std::uint64_t seed);
 
+// The same triangles and the pixels as points, for std::int32_t, std::int16_t
+// and std::uint8_t.
+template <class T>
+Scene<T> GridPointsScene(const SceneSpec& spec, std::uint64_t seed);
+
 // Each coordinate rounded once to T.
 template <class T>
 Point<T> Rounded(const Point<double>& p) {
@@ -99,6 +104,14 @@ inline Triangle<double> WellShaped(Random& random) {
   }
 }
 
+// A random triangle that covers `share`, 0 to 1, of the unit square.
+Triangle<double> Covering(Random& random, double share);
+
+// x rounded down to a multiple of 2^-bits.
+inline double OnGrid(double x, int bits) {
+  return std::ldexp(std::floor(std::ldexp(x, bits)), -bits);
+}
+
 // A family of well-shaped triangles and points in the unit square, of which
 // `place`, a function from Point<double> to Point<T>, makes the scene's.
 template <class T, class Place>
@@ -120,40 +133,48 @@ struct Placed {
   }
 };
 
-// Groups of a family that draws a point for a triangle and a triangle for a
-// point. Family has
+// Adds groups of a family that draws a point for a triangle and a triangle for
+// a point. Family has
 //   Triangle<T> DrawTriangle(Random&), Point<T> DrawPoint(Random&),
 //   Point<T> PointFor(Random&, const Triangle<T>&),
-//   Triangle<T> TriangleFor(Random&, const Point<T>&).
-template <class T, class Family>
-Scene<T> Assemble(const Family& family, const SceneSpec& spec, Loop loop,
-                  SceneSize size, std::uint64_t seed) {
-  Scene<T> scene{.name = spec.name, .loop = loop};
+//   Triangle<T> TriangleFor(Random&, const Point<T>&)
+// or the same of a scene of rays, with a ray for the point.
+template <class SceneType, class Family>
+void AddGroups(Family family, const SceneSpec& spec, SceneSize size,
+               std::uint64_t seed, SceneType& scene) {
+  const Loop shape = ShapeOf(scene.loop);
   Random random(
-      SeedFor(std::string(Name(loop)).append("/").append(spec.Drawn()), seed));
+      SeedFor(std::string(Name(shape)).append("/").append(spec.Drawn()), seed));
   const std::size_t groups = spec.Fresh() ? size.groups : 1;
   for (std::size_t group = 0; group < groups; ++group) {
-    scene.calls.push_back({scene.ax.size(), scene.px.size(), size.size});
-    if (loop == Loop::kOneTriangle) {
-      const Triangle<T> triangle = family.DrawTriangle(random);
+    scene.calls.push_back({scene.Triangles(), scene.Probes(), size.size});
+    if (shape == Loop::kOneTriangle) {
+      const auto triangle = family.DrawTriangle(random);
       scene.Add(triangle);
       for (std::size_t i = 0; i < size.size; ++i) {
         scene.Add(family.PointFor(random, triangle));
       }
-    } else if (loop == Loop::kOnePoint) {
-      const Point<T> point = family.DrawPoint(random);
+    } else if (shape == Loop::kOnePoint) {
+      const auto point = family.DrawPoint(random);
       scene.Add(point);
       for (std::size_t i = 0; i < size.size; ++i) {
         scene.Add(family.TriangleFor(random, point));
       }
     } else {
       for (std::size_t i = 0; i < size.size; ++i) {
-        const Triangle<T> triangle = family.DrawTriangle(random);
+        const auto triangle = family.DrawTriangle(random);
         scene.Add(triangle);
         scene.Add(family.PointFor(random, triangle));
       }
     }
   }
+}
+
+template <class T, class Family>
+Scene<T> Assemble(const Family& family, const SceneSpec& spec, Loop loop,
+                  SceneSize size, std::uint64_t seed) {
+  Scene<T> scene{.name = spec.name, .loop = loop};
+  AddGroups(family, spec, size, seed, scene);
   return scene;
 }
 

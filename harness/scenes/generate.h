@@ -24,7 +24,8 @@ struct SceneSize {
 };
 
 // Throws SceneError if the scene has no meaning for this loop and scalar:
-// T is std::int32_t for loop grid, float or double for the others.
+// T is std::int32_t for loop grid, an integer for the points of
+// grid_points_80x50, float or double for the others.
 template <class T>
 Scene<T> MakeScene(const SceneSpec& spec, Loop loop, SceneSize size,
                    std::uint64_t seed);

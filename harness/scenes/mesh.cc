@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "harness/scenes/rays/ray_surface.h"
+
 namespace pitbench {
 namespace {
 
-template <class T>
-void AddByTriangle(const Mesh<T>& mesh, std::uint32_t first_query,
-                   Scene<T>& scene) {
+template <class MeshType, class SceneType>
+void AddByTriangle(const MeshType& mesh, std::uint32_t first_query,
+                   SceneType& scene) {
   std::vector<std::vector<std::uint32_t>> queries_of(mesh.triangles.size());
   for (std::size_t q = 0; q < mesh.queries.size(); ++q) {
     for (const std::uint32_t k : mesh.queries[q].asked) {
@@ -17,7 +19,7 @@ void AddByTriangle(const Mesh<T>& mesh, std::uint32_t first_query,
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     if (queries_of[k].empty()) continue;
     scene.calls.push_back(
-        {scene.ax.size(), scene.px.size(), queries_of[k].size()});
+        {scene.Triangles(), scene.Probes(), queries_of[k].size()});
     scene.Add(mesh.triangles[k]);
     for (const std::uint32_t q : queries_of[k]) {
       scene.Add(mesh.queries[q].p);
@@ -26,13 +28,13 @@ void AddByTriangle(const Mesh<T>& mesh, std::uint32_t first_query,
   }
 }
 
-template <class T>
-void AddByPoint(const Mesh<T>& mesh, std::uint32_t first_query,
-                Scene<T>& scene) {
+template <class MeshType, class SceneType>
+void AddByPoint(const MeshType& mesh, std::uint32_t first_query,
+                SceneType& scene) {
   std::uint32_t number = first_query;
-  for (const Query<T>& query : mesh.queries) {
+  for (const auto& query : mesh.queries) {
     scene.calls.push_back(
-        {scene.ax.size(), scene.px.size(), query.asked.size()});
+        {scene.Triangles(), scene.Probes(), query.asked.size()});
     scene.Add(query.p);
     for (const std::uint32_t k : query.asked) {
       scene.Add(mesh.triangles[k]);
@@ -42,12 +44,12 @@ void AddByPoint(const Mesh<T>& mesh, std::uint32_t first_query,
   }
 }
 
-template <class T>
-void AddPairs(const Mesh<T>& mesh, std::size_t call_size,
-              std::uint32_t first_query, Scene<T>& scene) {
-  const std::size_t begin = scene.px.size();
+template <class MeshType, class SceneType>
+void AddPairs(const MeshType& mesh, std::size_t call_size,
+              std::uint32_t first_query, SceneType& scene) {
+  const std::size_t begin = scene.Probes();
   std::uint32_t number = first_query;
-  for (const Query<T>& query : mesh.queries) {
+  for (const auto& query : mesh.queries) {
     for (const std::uint32_t k : query.asked) {
       scene.Add(mesh.triangles[k]);
       scene.Add(query.p);
@@ -55,19 +57,20 @@ void AddPairs(const Mesh<T>& mesh, std::size_t call_size,
     }
     ++number;
   }
-  for (std::size_t i = begin; i < scene.px.size(); i += call_size) {
-    scene.calls.push_back({i, i, std::min(call_size, scene.px.size() - i)});
+  for (std::size_t i = begin; i < scene.Probes(); i += call_size) {
+    scene.calls.push_back({i, i, std::min(call_size, scene.Probes() - i)});
   }
 }
 
 }  // namespace
 
-template <class T>
-void AddMesh(const Mesh<T>& mesh, std::size_t call_size,
-             std::uint32_t first_query, Scene<T>& scene) {
-  if (scene.loop == Loop::kOneTriangle) {
+template <class MeshType, class SceneType>
+void AddMesh(const MeshType& mesh, std::size_t call_size,
+             std::uint32_t first_query, SceneType& scene) {
+  const Loop shape = ShapeOf(scene.loop);
+  if (shape == Loop::kOneTriangle) {
     AddByTriangle(mesh, first_query, scene);
-  } else if (scene.loop == Loop::kOnePoint) {
+  } else if (shape == Loop::kOnePoint) {
     AddByPoint(mesh, first_query, scene);
   } else {
     AddPairs(mesh, call_size, first_query, scene);
@@ -78,5 +81,9 @@ template void AddMesh(const Mesh<float>&, std::size_t, std::uint32_t,
                       Scene<float>&);
 template void AddMesh(const Mesh<double>&, std::size_t, std::uint32_t,
                       Scene<double>&);
+template void AddMesh(const RayMesh<float>&, std::size_t, std::uint32_t,
+                      RayScene<float>&);
+template void AddMesh(const RayMesh<double>&, std::size_t, std::uint32_t,
+                      RayScene<double>&);
 
 }  // namespace pitbench

@@ -12,26 +12,31 @@
 
 namespace pitbench {
 
-// A point in the interior of the mesh, and every triangle that could hold it.
-template <class T>
-struct Query {
-  Point<T> p;
-  std::vector<std::uint32_t> asked;
+template <class TriangleType, class Probe>
+struct MeshOf {
+  // A point in the interior of the mesh, and every triangle that could hold it;
+  // or a ray, and every triangle that it could meet.
+  struct Query {
+    Probe p;
+    std::vector<std::uint32_t> asked;
+  };
+  std::vector<TriangleType> triangles;
+  std::vector<Query> queries;
 };
 
 template <class T>
-struct Mesh {
-  std::vector<Triangle<T>> triangles;
-  std::vector<Query<T>> queries;
-};
+using Mesh = MeshOf<Triangle<T>, Point<T>>;
+template <class T>
+using Query = typename Mesh<T>::Query;
 
 // Appends the mesh to the scene in the form of its loop: one_triangle has a
 // call for every triangle that is asked, one_point for every query, and pairs
 // one for every `call_size` answers. Its queries get the numbers from
 // `first_query` on.
-template <class T>
-void AddMesh(const Mesh<T>& mesh, std::size_t call_size,
-             std::uint32_t first_query, Scene<T>& scene);
+// SceneType is Scene<T> or RayScene<T>, of float or double.
+template <class MeshType, class SceneType>
+void AddMesh(const MeshType& mesh, std::size_t call_size,
+             std::uint32_t first_query, SceneType& scene);
 
 // Whether p is in the triangle or on its boundary, exactly.
 template <class T>

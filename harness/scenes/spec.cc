@@ -23,12 +23,11 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
 
 const std::vector<FamilyInfo>& Families() {
   static const std::vector<FamilyInfo> families = {
-      {"uniform", "hit:bytes:sets",
+      {"uniform", "hit:bytes|n:sets",
        "Points uniform in the unit square, triangles that cover hit percent of "
-       "it; a call reads about `bytes`. sets=fresh (as without it) takes "
-       "another "
-       "triangle, for one_point and pairs other points, at every call; "
-       "sets=fixed always the same."},
+       "it; a call reads about `bytes`, or has n items. sets=fresh (as without "
+       "it) takes another triangle, for one_point and pairs other points, at "
+       "every call; sets=fixed always the same."},
       {"near_edge", "ulps:sets",
        "Points rounded onto an edge of a well-shaped triangle in the unit "
        "square and then moved off it by this many representable numbers."},
@@ -41,6 +40,9 @@ const std::vector<FamilyInfo>& Families() {
       {"grid_80x50", "sets",
        "Triangles with random whole vertices against every pixel of a grid of "
        "80 columns and 50 rows, as in qTriangle's program."},
+      {"grid_points_80x50", "sets",
+       "The same triangles and the same pixels, but these as an array of 4000 "
+       "points, as i32, i16 and u8; a call is one triangle."},
       {"own", "", "Triangles and points from your own CSV files."},
       {"edge_share", "percent:sets",
        "Points of which so many percent are rounded onto an edge, and all "
@@ -72,6 +74,49 @@ const std::vector<FamilyInfo>& Families() {
        "representable numbers off its edges, on its vertices, and anywhere."},
       {"corpus", "",
        "The cases of tests/cases/real_world.csv, from published bug reports."},
+      {"rays_uniform", "hit:bytes|n:sets",
+       "Rays through one point in directions about (1, 1, 1), from anywhere "
+       "behind it; triangles that hit percent of them meet. bytes, n and sets "
+       "as "
+       "for uniform, with a ray for the point."},
+      {"rays_near_edge", "ulps:sets",
+       "Rays to a point rounded onto an edge of a well-shaped triangle in the "
+       "unit cube and then moved across it by this many representable "
+       "numbers."},
+      {"rays_near_vertex", "ulps:sets",
+       "Rays to a point this many representable numbers away from a vertex of "
+       "a "
+       "well-shaped triangle in the unit cube."},
+      {"rays_grazing", "exponent:sets",
+       "Rays at an angle of about 2^-exponent to the triangle's plane, exactly "
+       "drawn, that meet it in the triangle and beside it."},
+      {"rays_needle", "aspect:sets",
+       "Triangles of length 1 and altitude 2^-aspect in any direction in "
+       "space; "
+       "rays to points around them within twice their altitude."},
+      {"rays_far_origin", "exponent:sets",
+       "Rays of length 1 from 2^exponent away to points in a well-shaped "
+       "triangle in the unit cube and around it."},
+      {"rays_offset", "ratio:sets",
+       "Well-shaped triangles in a unit cube whose corner is at (2^ratio, "
+       "2^ratio, 2^ratio), and rays from near by."},
+      {"rays_degenerate", "kind:sets",
+       "Misses, exactly: kind=collinear, doubled or single (triangles without "
+       "area, as for degenerate), zero_direction, or parallel (rays in the "
+       "triangle's plane or parallel to it)."},
+      {"rays_special", "kind:sets",
+       "Special values among the numbers of triangles and rays: kind=nan, "
+       "infinite, minus_zero (on the axes), subnormal or largest (up to the "
+       "largest finite number)."},
+      {"rays_icosphere", "ulps",
+       "A closed sphere of 1280 triangles; rays from inside to triangles, and "
+       "this many representable numbers off edges and vertices, asked of all "
+       "triangles around. Each crosses the sphere once."},
+      {"rays_tiled_plane", "ulps",
+       "A tilted plane of 1152 triangles, exactly flat; rays from above, aimed "
+       "and asked in the same way."},
+      {"rays_corpus", "",
+       "The cases of tests/cases/rays.csv, from published bug reports."},
   };
   return families;
 }
@@ -141,11 +186,11 @@ SceneSpec ParseScene(std::string_view name) {
   bool fits = parts.size() == keys.size();
   for (std::size_t k = 0; fits && k < keys.size(); ++k) {
     const std::size_t equals = parts[k].find('=');
+    const std::string_view key = parts[k].substr(0, equals);
+    const std::vector<std::string_view> either = Split(keys[k], '|');
     fits = equals != std::string_view::npos &&
-           parts[k].substr(0, equals) == keys[k];
-    if (fits) {
-      spec.parameters.emplace(keys[k], parts[k].substr(equals + 1));
-    }
+           std::find(either.begin(), either.end(), key) != either.end();
+    if (fits) spec.parameters.emplace(key, parts[k].substr(equals + 1));
   }
   if (!fits) {
     std::string form(family.name);

@@ -41,8 +41,9 @@ struct SceneSpec {
 
 struct FamilyInfo {
   std::string_view name;
-  std::string_view parameters;  // in the order in which names give them;
-                                // a last `sets` may be left out of a name
+  std::string_view parameters;  // in the order in which names give them; one
+                                // of those with a | between them; a last
+                                // `sets` may be left out of a name
   std::string_view describes;
 };
 

@@ -6,20 +6,14 @@
 // small multiples of the smallest number there is, alone and mixed with normal
 // ones. largest: coordinates up to the largest finite number, so that
 // differences overflow.
-#include <cstdint>
-#include <limits>
 #include <string_view>
 
 #include "harness/scenes/families.h"
+#include "harness/scenes/special_numbers.h"
 #include "harness/truth/orientation.h"
 
 namespace pitbench {
 namespace {
-
-template <class T>
-T EitherSign(Random& random, T x) {
-  return random.Below(2) == 0 ? x : -x;
-}
 
 // A family of which points and vertices are drawn alike, and alone.
 template <class T, class Family>
@@ -44,23 +38,19 @@ template <class T>
 struct Replaced {
   bool nan;
 
-  T Value(Random& random) const {
-    if (nan) return std::numeric_limits<T>::quiet_NaN();
-    return EitherSign(random, std::numeric_limits<T>::infinity());
-  }
   Triangle<T> DrawTriangle(Random& random) const {
     Triangle<T> t = Rounded<T>(WellShaped(random));
     if (random.Below(4) != 0) return t;
     T* const coordinates[] = {&t.a.x, &t.a.y, &t.b.x, &t.b.y, &t.c.x, &t.c.y};
     T& replaced = *coordinates[random.Below(6)];
-    replaced = Value(random);
+    replaced = NotFinite<T>(random, nan);
     return t;
   }
   Point<T> DrawPoint(Random& random) const {
     Point<T> p = Rounded<T>(InUnitSquare(random));
     if (random.Below(2) == 0) return p;
     T& replaced = random.Below(2) == 0 ? p.x : p.y;
-    replaced = Value(random);
+    replaced = NotFinite<T>(random, nan);
     return p;
   }
   Point<T> PointFor(Random& random, const Triangle<T>&) const {
@@ -71,35 +61,22 @@ struct Replaced {
   }
 };
 
-// Eighths from −1 to 1, half of them zeros.
 template <class T>
 struct MinusZero {
-  T Coordinate(Random& random) const {
-    const std::uint64_t eighths = random.Below(2) == 0 ? 0 : random.Below(9);
-    return EitherSign(random, static_cast<T>(eighths) / 8);
-  }
   Point<T> DrawPoint(Random& random) const {
-    const T x = Coordinate(random);
-    return {x, Coordinate(random)};
+    const T x = EighthOrZero<T>(random);
+    return {x, EighthOrZero<T>(random)};
   }
 };
 
 template <class T>
 struct Subnormal {
-  // From −32 to 32 smallest numbers.
-  static Point<T> Small(Random& random) {
-    const auto coordinate = [&] {
-      return (static_cast<T>(random.Below(65)) - 32) *
-             std::numeric_limits<T>::denorm_min();
-    };
-    const T x = coordinate();
-    return {x, coordinate()};
-  }
   // Most are small, so that most triangles are; the others normal in both
   // coordinates or in one.
   Point<T> DrawPoint(Random& random) const {
     const Point<T> normal = Rounded<T>(InUnitSquare(random));
-    Point<T> p = Small(random);
+    const T x = SmallestNumbers<T>(random);
+    Point<T> p = {x, SmallestNumbers<T>(random)};
     switch (random.Below(16)) {
       case 0:
         p = normal;
@@ -119,23 +96,9 @@ struct Subnormal {
 
 template <class T>
 struct Largest {
-  static constexpr T kLargest = std::numeric_limits<T>::max();
-
-  // A third at the limit itself, a third anywhere below it, a third of size 1.
-  T Coordinate(Random& random) const {
-    const T unit = static_cast<T>(random.Unit());
-    switch (random.Below(3)) {
-      case 0:
-        return EitherSign(random, kLargest);
-      case 1:
-        return EitherSign(random, unit * kLargest);
-      default:
-        return EitherSign(random, unit);
-    }
-  }
   Point<T> DrawPoint(Random& random) const {
-    const T x = Coordinate(random);
-    return {x, Coordinate(random)};
+    const T x = UpToLargest<T>(random);
+    return {x, UpToLargest<T>(random)};
   }
 };
 

@@ -13,7 +13,8 @@
 namespace pitbench {
 
 // The number that is `steps` representable numbers above x (below for negative
-// steps). x must be finite, and so must the result. −0 and +0 are one number.
+// steps). x must be finite; where the result would not be, it is any number or
+// none. −0 and +0 are one number.
 template <class T>
 T Step(T x, std::int64_t steps) {
   using Ordered =
@@ -22,7 +23,9 @@ T Step(T x, std::int64_t steps) {
   // Bits of negative numbers count downwards: map both signs on one scale.
   Ordered ordered = std::bit_cast<Ordered>(x);
   if (ordered < 0) ordered = static_cast<Ordered>(kLow - ordered);
-  ordered = static_cast<Ordered>(ordered + static_cast<Ordered>(steps));
+  using Unsigned = std::make_unsigned_t<Ordered>;  // wraps
+  ordered = static_cast<Ordered>(static_cast<Unsigned>(ordered) +
+                                 static_cast<Unsigned>(steps));
   if (ordered < 0) ordered = static_cast<Ordered>(kLow - ordered);
   return std::bit_cast<T>(ordered);
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "harness/scenes/families.h"
+#include "harness/scenes/uniform_sets.h"
 
 namespace pitbench {
 namespace {
@@ -64,8 +65,8 @@ double CoveredArea(const Triangle<double>& t) {
 }
 
 // `t` scaled about its centroid, which is moved to `centre`.
-Triangle<double> Placed(const Triangle<double>& t, const Point<double>& centre,
-                        double scale) {
+Triangle<double> AtCentre(const Triangle<double>& t,
+                          const Point<double>& centre, double scale) {
   const Point<double> centroid{(t.a.x + t.b.x + t.c.x) / 3,
                                (t.a.y + t.b.y + t.c.y) / 3};
   const auto place = [&](const Point<double>& p) -> Point<double> {
@@ -75,11 +76,12 @@ Triangle<double> Placed(const Triangle<double>& t, const Point<double>& centre,
   return {place(t.a), place(t.b), place(t.c)};
 }
 
-// A random triangle that covers `share` of the unit square.
+}  // namespace
+
 Triangle<double> Covering(Random& random, double share) {
   const Triangle<double> shape = WellShaped(random);
   const Point<double> centre = InUnitSquare(random);
-  if (share <= 0) return Placed(shape, {centre.x + 3, centre.y}, 1);
+  if (share <= 0) return AtCentre(shape, {centre.x + 3, centre.y}, 1);
   // The covered area grows with the scale: halve its interval, in the
   // geometric mean, until doubles tell no more.
   double low = 0x1p-10;
@@ -87,53 +89,23 @@ Triangle<double> Covering(Random& random, double share) {
   for (int k = 0; k < 60; ++k) {
     const double middle = std::sqrt(low * high);
     const bool covers =
-        CoveredArea(Placed(shape, centre, middle)) >= share - 1e-9;
+        CoveredArea(AtCentre(shape, centre, middle)) >= share - 1e-9;
     (covers ? high : low) = middle;
   }
   // 1 percent more where the whole square has to be inside, edges and all.
-  return Placed(shape, centre, share >= 1 ? high * 1.01 : high);
+  return AtCentre(shape, centre, share >= 1 ? high * 1.01 : high);
 }
-
-}  // namespace
 
 template <class T>
 Scene<T> UniformScene(const SceneSpec& spec, Loop loop, SceneSize /*size*/,
                       std::uint64_t seed) {
-  const auto bytes =
-      static_cast<std::size_t>(spec.Number("bytes", 64, std::int64_t{1} << 32));
   const double share = static_cast<double>(spec.Number("hit", 0, 100)) / 100;
-  const bool fresh = spec.Fresh();
-  const std::size_t item_bytes = loop == Loop::kOneTriangle ? 2 * sizeof(T)
-                                 : loop == Loop::kOnePoint  ? 6 * sizeof(T)
-                                                            : 8 * sizeof(T);
-  const std::size_t n = std::max<std::size_t>(bytes / item_bytes, 1);
-  // About a million different answers, or two sets where one is that large.
-  const std::size_t most = loop == Loop::kPairs ? 32 : 256;
-  const std::size_t sets =
-      fresh ? std::clamp<std::size_t>((std::size_t{1} << 20) / n, 2, most) : 1;
-
   Scene<T> scene{.name = spec.name, .loop = loop};
-  // The fixed twin draws the same numbers, so its set is the first fresh one.
-  std::string drawn(Name(loop));
-  drawn.append("/").append(spec.Drawn());
-  Random points(SeedFor(drawn + "/points", seed));
-  Random triangles(SeedFor(drawn + "/triangles", seed));
-  // Pairs: set k pairs the triangles with the points from k cache lines on.
-  const std::size_t shift = loop == Loop::kPairs ? 64 / sizeof(T) : 0;
-  const std::size_t point_count =
-      loop == Loop::kOnePoint ? sets : n + shift * (sets - 1);
-  const std::size_t triangle_count = loop == Loop::kOneTriangle ? sets : n;
-  for (std::size_t i = 0; i < point_count; ++i) {
-    scene.Add(Rounded<T>(InUnitSquare(points)));
-  }
-  for (std::size_t i = 0; i < triangle_count; ++i) {
-    scene.Add(Rounded<T>(Covering(triangles, share)));
-  }
-  for (std::size_t k = 0; k < sets; ++k) {
-    const std::size_t triangle = loop == Loop::kOneTriangle ? k : 0;
-    const std::size_t point = loop == Loop::kOnePoint ? k : shift * k;
-    scene.calls.push_back({triangle, point, n});
-  }
+  AddUniformSets(
+      spec, seed, {.point = 2 * sizeof(T), .triangle = 6 * sizeof(T)},
+      [](Random& random) { return Rounded<T>(InUnitSquare(random)); },
+      [share](Random& random) { return Rounded<T>(Covering(random, share)); },
+      scene);
   return scene;
 }
 

@@ -25,16 +25,21 @@ bool BoundaryCounts(Boundary rule, const Triangle<T>& t, const Point<T>& p) {
     case Boundary::kHalfOpen:
       return Orientation(t.b, t.c, p) != 0;
     case Boundary::kTopLeft:
+    case Boundary::kBottomLeft:
+    case Boundary::kPerturbed:  // no rule of 2D
       break;
   }
-  // Counter-clockwise with y upwards, left edges go down and top edges left.
+  // Counter-clockwise with y upwards, left edges go down, top edges left and
+  // bottom edges right.
   std::array<Point<T>, 3> v = {t.a, t.b, t.c};
   if (Orientation(t.a, t.b, t.c) < 0) std::swap(v[1], v[2]);
   for (std::size_t k = 0; k < 3; ++k) {
     const Point<T>& from = v[k];
     const Point<T>& to = v[(k + 1) % 3];
-    const bool top_left = to.y < from.y || (to.y == from.y && to.x < from.x);
-    if (Orientation(from, to, p) == 0 && !top_left) return false;
+    const bool counts =
+        to.y < from.y ||
+        (to.y == from.y && (to.x < from.x) == (rule == Boundary::kTopLeft));
+    if (Orientation(from, to, p) == 0 && !counts) return false;
   }
   return true;
 }

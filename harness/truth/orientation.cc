@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "harness/truth/scaled_integers.h"
 
@@ -84,10 +85,11 @@ int OrientationExactly(const Point<T>& a, const Point<T>& b,
 template <class T>
 int Orientation(const Point<T>& a, const Point<T>& b, const Point<T>& c) {
   if constexpr (std::integral<T>) {
-    // Differences of int32 have 33 bits, their products 66.
-    const auto difference = [](T p, T q) { return Int128{p} - Int128{q}; };
-    const Int128 left = difference(b.x, a.x) * difference(c.y, a.y);
-    const Int128 right = difference(b.y, a.y) * difference(c.x, a.x);
+    // Differences of int32 have 33 bits, their products 66; of int16 17 and 34.
+    using Wide = std::conditional_t<(sizeof(T) < 4), std::int64_t, Int128>;
+    const auto difference = [](T p, T q) { return Wide{p} - Wide{q}; };
+    const Wide left = difference(b.x, a.x) * difference(c.y, a.y);
+    const Wide right = difference(b.y, a.y) * difference(c.x, a.x);
     return (left > right) - (left < right);
   } else if constexpr (std::same_as<T, mpq_class>) {
     const int order = cmp((b.x - a.x) * (c.y - a.y), (b.y - a.y) * (c.x - a.x));
@@ -104,6 +106,10 @@ template int Orientation(const Point<double>&, const Point<double>&,
                          const Point<double>&);
 template int Orientation(const Point<std::int32_t>&, const Point<std::int32_t>&,
                          const Point<std::int32_t>&);
+template int Orientation(const Point<std::int16_t>&, const Point<std::int16_t>&,
+                         const Point<std::int16_t>&);
+template int Orientation(const Point<std::uint8_t>&, const Point<std::uint8_t>&,
+                         const Point<std::uint8_t>&);
 template int Orientation(const Point<mpq_class>&, const Point<mpq_class>&,
                          const Point<mpq_class>&);
 template int OrientationExactly(const Point<float>&, const Point<float>&,
@@ -113,5 +119,11 @@ template int OrientationExactly(const Point<double>&, const Point<double>&,
 template int OrientationExactly(const Point<std::int32_t>&,
                                 const Point<std::int32_t>&,
                                 const Point<std::int32_t>&);
+template int OrientationExactly(const Point<std::int16_t>&,
+                                const Point<std::int16_t>&,
+                                const Point<std::int16_t>&);
+template int OrientationExactly(const Point<std::uint8_t>&,
+                                const Point<std::uint8_t>&,
+                                const Point<std::uint8_t>&);
 
 }  // namespace pitbench

@@ -68,6 +68,19 @@ int ScaleToIntegers(const std::array<T, N>& values,
   return smallest;
 }
 
+// q · 2^exponent.
+inline mpq_class Scaled(const mpq_class& q, int exponent) {
+  mpq_class scaled;
+  if (exponent >= 0) {
+    mpq_mul_2exp(scaled.get_mpq_t(), q.get_mpq_t(),
+                 static_cast<mp_bitcnt_t>(exponent));
+  } else {
+    mpq_div_2exp(scaled.get_mpq_t(), q.get_mpq_t(),
+                 static_cast<mp_bitcnt_t>(-exponent));
+  }
+  return scaled;
+}
+
 }  // namespace pitbench
 
 #endif  // PITBENCH_HARNESS_TRUTH_SCALED_INTEGERS_H_

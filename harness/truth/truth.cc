@@ -77,15 +77,27 @@ template bool IsFinite(const Triangle<float>&, const Point<float>&);
 template bool IsFinite(const Triangle<double>&, const Point<double>&);
 template bool IsFinite(const Triangle<std::int32_t>&,
                        const Point<std::int32_t>&);
+template bool IsFinite(const Triangle<std::int16_t>&,
+                       const Point<std::int16_t>&);
+template bool IsFinite(const Triangle<std::uint8_t>&,
+                       const Point<std::uint8_t>&);
 template Position Classify(const Triangle<float>&, const Point<float>&);
 template Position Classify(const Triangle<double>&, const Point<double>&);
 template Position Classify(const Triangle<std::int32_t>&,
                            const Point<std::int32_t>&);
+template Position Classify(const Triangle<std::int16_t>&,
+                           const Point<std::int16_t>&);
+template Position Classify(const Triangle<std::uint8_t>&,
+                           const Point<std::uint8_t>&);
 template Position Classify(const Triangle<mpq_class>&, const Point<mpq_class>&);
 template Position ClassifyExactly(const Triangle<float>&, const Point<float>&);
 template Position ClassifyExactly(const Triangle<double>&,
                                   const Point<double>&);
 template Position ClassifyExactly(const Triangle<std::int32_t>&,
                                   const Point<std::int32_t>&);
+template Position ClassifyExactly(const Triangle<std::int16_t>&,
+                                  const Point<std::int16_t>&);
+template Position ClassifyExactly(const Triangle<std::uint8_t>&,
+                                  const Point<std::uint8_t>&);
 
 }  // namespace pitbench

@@ -30,8 +30,8 @@ struct Triangle {
   Point<T> c;
 };
 
-// Whether no coordinate is NaN or infinite. T is float, double, std::int32_t or
-// mpq_class.
+// Whether no coordinate is NaN or infinite. T is float, double, std::int32_t,
+// std::int16_t, std::uint8_t or mpq_class.
 template <class T>
 bool IsFinite(const Triangle<T>& triangle, const Point<T>& p);
 

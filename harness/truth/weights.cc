@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "harness/truth/exact_distance.h"
 #include "harness/truth/scaled_integers.h"
 
 namespace pitbench {
@@ -59,19 +60,6 @@ mpz_class EdgeFunction(const ExactCase& exact, std::size_t k) {
                exact.vertices[(k + 2) % 3] - exact.p);
 }
 
-// q · 2^exponent.
-mpq_class Scaled(const mpq_class& q, int exponent) {
-  mpq_class scaled;
-  if (exponent >= 0) {
-    mpq_mul_2exp(scaled.get_mpq_t(), q.get_mpq_t(),
-                 static_cast<mp_bitcnt_t>(exponent));
-  } else {
-    mpq_div_2exp(scaled.get_mpq_t(), q.get_mpq_t(),
-                 static_cast<mp_bitcnt_t>(-exponent));
-  }
-  return scaled;
-}
-
 // ⌊log2 q⌋ for q > 0.
 int FloorLog2(const mpq_class& q) {
   const auto bits = [](const mpz_class& z) {
@@ -81,23 +69,6 @@ int FloorLog2(const mpq_class& q) {
   const int guess = bits(q.get_num()) - bits(q.get_den());
   return Scaled(q, -guess) < 1 ? guess - 1 : guess;
 }
-
-// The exponent of T's ulp at numbers from 2^log2 to 2^(log2+1).
-template <class T>
-int UlpExponent(int log2) {
-  using Limits = std::numeric_limits<T>;
-  return std::max(log2, Limits::min_exponent - 1) - (Limits::digits - 1);
-}
-
-// The square of a distance as a fraction, denominator > 0.
-struct SquaredDistance {
-  mpz_class numerator;
-  mpz_class denominator;
-
-  bool operator<(const SquaredDistance& other) const {
-    return numerator * other.denominator < other.numerator * denominator;
-  }
-};
 
 // From p to the closed segment ab; a = b is allowed.
 SquaredDistance FromSegment(const ExactPoint& a, const ExactPoint& b,
@@ -113,26 +84,6 @@ SquaredDistance FromSegment(const ExactPoint& a, const ExactPoint& b,
   }
   const mpz_class cross = Cross(edge, to_p);
   return {.numerator = cross * cross, .denominator = length};
-}
-
-// sqrt(square) · 2^exponent, rounded down to 63 bits or more and then to
-// double; a result that double can hold is reached without passing through
-// one that it cannot.
-double ScaledRoot(const SquaredDistance& square, int exponent) {
-  if (square.numerator == 0) return 0;
-  const auto bits = [](const mpz_class& z) {
-    return static_cast<int>(mpz_sizeinbase(z.get_mpz_t(), 2));
-  };
-  // Scale the quotient by 4^half so that it has 127 bits or more.
-  const int missing = 128 - bits(square.numerator) + bits(square.denominator);
-  const int half = std::max(0, (missing + 1) / 2);
-  mpz_class root = (square.numerator << static_cast<mp_bitcnt_t>(2 * half)) /
-                   square.denominator;
-  root = sqrt(root);
-  long root_exponent = 0;
-  const double mantissa = mpz_get_d_2exp(&root_exponent, root.get_mpz_t());
-  return std::ldexp(mantissa,
-                    static_cast<int>(root_exponent) - half + exponent);
 }
 
 }  // namespace
@@ -213,6 +164,8 @@ bool RoundingMayDecide(const Triangle<T>& triangle, const Point<T>& p,
 PITBENCH_INSTANTIATE(float)
 PITBENCH_INSTANTIATE(double)
 PITBENCH_INSTANTIATE(std::int32_t)
+PITBENCH_INSTANTIATE(std::int16_t)
+PITBENCH_INSTANTIATE(std::uint8_t)
 #undef PITBENCH_INSTANTIATE
 template double UlpError(float, const mpq_class&);
 template double UlpError(double, const mpq_class&);

@@ -1,127 +1,30 @@
 #include "kernels/exact/contains.h"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+
+#include "kernels/exact/big_number.h"
 
 namespace pitbench {
 namespace {
 
-__extension__ using Int128 = __int128;
-__extension__ using Uint128 = unsigned __int128;
-
-// The number mantissa · 2^exponent, |mantissa| < 2^53.
-struct Dyadic {
-  std::int64_t mantissa;
-  int exponent;
-};
-
-Dyadic Split(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  const auto fraction = static_cast<std::int64_t>(bits & ((1ULL << 52) - 1));
-  const int field = static_cast<int>((bits >> 52) & 0x7FF);
-  const std::int64_t magnitude =
-      field == 0 ? fraction : fraction | (std::int64_t{1} << 52);
-  return {(bits >> 63) != 0 ? -magnitude : magnitude,
-          std::max(field, 1) - 1075};
-}
-
-// A sum of products of two doubles, as a whole number of 2^lowest: a two's
-// complement number of 64-bit words, the lowest first, with no more of them
-// than the exponents of the terms need.
-class Sum {
- public:
-  // `lowest` and `highest` bound the exponents of the terms; there may be eight
-  // of them, each below 2^106 before its power.
-  Sum(int lowest, int highest)
-      : lowest_(lowest), words_((highest - lowest + 106 + 4) / 64 + 1) {
-    std::fill_n(word_, words_ + 2, 0);
-  }
-
-  void Add(Dyadic x, Dyadic y) { Add(x, y, false); }
-  void Subtract(Dyadic x, Dyadic y) { Add(x, y, true); }
-
-  int Sign() const {
-    if (word_[words_ - 1] >> 63 != 0) return -1;
-    for (int i = 0; i < words_; ++i) {
-      if (word_[i] != 0) return 1;
-    }
-    return 0;
-  }
-
- private:
-  // Products of doubles have exponents from 2·−1074 to 2·971.
-  static constexpr int kMostWords = (2 * (971 + 1074) + 106 + 4) / 64 + 1;
-
-  void Add(Dyadic x, Dyadic y, bool negate) {
-    const std::int64_t factor = negate ? -x.mantissa : x.mantissa;
-    const Int128 product = static_cast<Int128>(factor) * y.mantissa;
-    if (product == 0) return;  // its exponent says nothing
-    const int place = x.exponent + y.exponent - lowest_;
-    const int shift = place % 64;
-    int i = place / 64;
-    // product · 2^shift as three words and the sign in all above.
-    const auto low = static_cast<Uint128>(product) << shift;
-    const auto sign = static_cast<std::uint64_t>(product < 0 ? -1 : 0);
-    const auto high = static_cast<std::uint64_t>(
-        shift == 0 ? (product < 0 ? -1 : 0) : product >> (128 - shift));
-    Uint128 carry =
-        static_cast<Uint128>(word_[i]) + static_cast<std::uint64_t>(low);
-    word_[i] = static_cast<std::uint64_t>(carry);
-    carry =
-        (carry >> 64) + word_[i + 1] + static_cast<std::uint64_t>(low >> 64);
-    word_[i + 1] = static_cast<std::uint64_t>(carry);
-    carry = (carry >> 64) + word_[i + 2] + high;
-    word_[i + 2] = static_cast<std::uint64_t>(carry);
-    for (i += 3; i < words_; ++i) {
-      carry = (carry >> 64) + word_[i] + sign;
-      word_[i] = static_cast<std::uint64_t>(carry);
-    }
-  }
-
-  int lowest_;
-  int words_;
-  // Two more than are counted: where a product's three words begin is checked
-  // by nobody, and what lies above the last is only its sign.
-  std::uint64_t word_[kMostWords + 2];
-};
-
-struct Range {
-  int lowest = 0;
-  int highest = 0;
-};
-
-// The exponents of three numbers, zeros left out.
-Range ExponentsOf(const Dyadic (&values)[3]) {
-  Range range;
-  bool any = false;
-  for (const Dyadic& value : values) {
-    if (value.mantissa == 0) continue;
-    range.lowest =
-        any ? std::min(range.lowest, value.exponent) : value.exponent;
-    range.highest =
-        any ? std::max(range.highest, value.exponent) : value.exponent;
-    any = true;
-  }
-  return range;
-}
-
-// The sign of the area by integers: the determinant multiplied out, in which
-// x and y have exponents of their own.
+// The sign of the area by whole numbers, x and y in units of their own.
 int OrientationByIntegers(const Corners<double>& t) {
-  const Dyadic x[3] = {Split(t.ax), Split(t.bx), Split(t.cx)};
-  const Dyadic y[3] = {Split(t.ay), Split(t.by), Split(t.cy)};
-  const Range of_x = ExponentsOf(x);
-  const Range of_y = ExponentsOf(y);
-  Sum sum(of_x.lowest + of_y.lowest, of_x.highest + of_y.highest);
-  for (int k = 0; k < 3; ++k) {
-    const int next = (k + 1) % 3;
-    sum.Add(x[k], y[next]);
-    sum.Subtract(x[next], y[k]);
+  const int of_x = CommonUnit({t.ax, t.bx, t.cx});
+  const int of_y = CommonUnit({t.ay, t.by, t.cy});
+  const SmallWhole ax(t.ax, of_x), bx(t.bx, of_x), cx(t.cx, of_x);
+  const SmallWhole ay(t.ay, of_y), by(t.by, of_y), cy(t.cy, of_y);
+  if (ax.fits && bx.fits && cx.fits && ay.fits && by.fits && cy.fits) {
+    __extension__ using Int128 = __int128;
+    const Int128 left = Int128{bx.value - ax.value} * (cy.value - ay.value);
+    const Int128 right = Int128{by.value - ay.value} * (cx.value - ax.value);
+    return (left > right ? 1 : 0) - (left < right ? 1 : 0);
   }
-  return sum.Sign();
+  const BigNumber<1> a_x(t.ax, of_x);
+  const BigNumber<1> a_y(t.ay, of_y);
+  return ((BigNumber<1>(t.bx, of_x) - a_x) * (BigNumber<1>(t.cy, of_y) - a_y) -
+          (BigNumber<1>(t.by, of_y) - a_y) * (BigNumber<1>(t.cx, of_x) - a_x))
+      .Sign();
 }
 
 // The sign of the area; a determinant that rounding cannot have turned is

@@ -14,39 +14,84 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+HWY_INLINE unsigned SignBits(__m128 v) {
+  return static_cast<unsigned>(_mm_movemask_ps(v));
+}
+HWY_INLINE unsigned SignBits(__m128d v) {
+  return static_cast<unsigned>(_mm_movemask_pd(v));
+}
+#if HWY_TARGET == HWY_AVX2
+HWY_INLINE unsigned SignBits(__m256 v) {
+  return static_cast<unsigned>(_mm256_movemask_ps(v));
+}
+HWY_INLINE unsigned SignBits(__m256d v) {
+  return static_cast<unsigned>(_mm256_movemask_pd(v));
+}
+#endif
+#endif
+
 // The lanes of `mask` as bits, lane 0 in bit 0. The word is no wider than the
 // mask, so that the compiler keeps it in a register.
 template <class D>
 HWY_INLINE std::uint64_t MaskBits(D d, Mask<D> mask) {
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+  // What StoreMaskBits does, without the detour over a byte.
+  if constexpr (std::is_floating_point_v<TFromD<D>>) return SignBits(mask.raw);
+#endif
 #if HWY_HAVE_SCALABLE
   std::uint64_t word = 0;
 #else
-  std::conditional_t<(kMaxLanes<D> <= 8), std::uint8_t, std::uint16_t> word = 0;
+  constexpr std::size_t kLanes = kMaxLanes<D>;
+  std::conditional_t<
+      (kLanes <= 8), std::uint8_t,
+      std::conditional_t<
+          (kLanes <= 16), std::uint16_t,
+          std::conditional_t<(kLanes <= 32), std::uint32_t, std::uint64_t>>>
+      word = 0;
 #endif
   hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&word));
   return word;
 }
 
+// Writes the answers for items i to i + max(Lanes(d), 8) to `to`.
+template <class D, class MaskAt>
+HWY_INLINE void WriteStep(D d, std::size_t i, std::uint8_t* to,
+                          const MaskAt& mask_at) {
+  const std::size_t lanes = hn::Lanes(d);
+  if (lanes >= 8) {
+    hn::StoreMaskBits(d, mask_at(i), to);
+  } else {
+    std::uint64_t byte = 0;
+    for (std::size_t j = 0; j < 8; j += lanes) {
+      byte |= MaskBits(d, mask_at(i + j)) << j;
+    }
+    *to = static_cast<std::uint8_t>(byte);
+  }
+}
+
 // Writes n answers to `bits`. mask_at(i) answers for items i to i + Lanes(d),
 // all of which exist; tail_at(i, count) for the last count < Lanes(d) items
-// and false for the lanes after them.
-template <class D, class MaskAt, class TailAt>
+// and false for the lanes after them. Both should hold what they need by value:
+// what they hold by reference the compiler loads again after each store of
+// bits. kVectors a round: what a loop costs by itself shows where an answer
+// takes a few instructions.
+template <std::size_t kVectors = 1, class D, class MaskAt, class TailAt>
 HWY_INLINE void WriteBits(D d, std::size_t n, std::uint8_t* bits,
                           const MaskAt& mask_at, const TailAt& tail_at) {
   const std::size_t lanes = hn::Lanes(d);
   const std::size_t step = HWY_MAX(lanes, std::size_t{8});
+  constexpr std::size_t kSteps =
+      HWY_MAX(std::size_t{1}, HWY_MIN(kVectors, kVectors * kMaxLanes<D> / 8));
   std::size_t i = 0;
-  for (; i + step <= n; i += step) {
-    if (lanes >= 8) {
-      hn::StoreMaskBits(d, mask_at(i), bits + i / 8);
-    } else {
-      std::uint64_t byte = 0;
-      for (std::size_t j = 0; j < 8; j += lanes) {
-        byte |= MaskBits(d, mask_at(i + j)) << j;
-      }
-      bits[i / 8] = static_cast<std::uint8_t>(byte);
+  for (; i + kSteps * step <= n; i += kSteps * step) {
+    std::uint8_t* const to = bits + i / 8;  // one division for all steps
+#pragma GCC unroll 4
+    for (std::size_t k = 0; k < kSteps; ++k) {
+      WriteStep(d, i + k * step, to + k * (step / 8), mask_at);
     }
   }
+  for (; i + step <= n; i += step) WriteStep(d, i, bits + i / 8, mask_at);
   if (i == n) return;
   std::uint64_t word = 0;
   const std::size_t first = i;
@@ -81,6 +126,22 @@ HWY_INLINE void StoreTail(D d, Vec<D> v, TFromD<D>* to, std::size_t count) {
   std::memcpy(to, lanes, count * sizeof(TFromD<D>));
 }
 
+// Stores `a`, `b` and `c`; their first `count` lanes unless kWhole promises
+// that there is room for all.
+template <bool kWhole, class D, class T = TFromD<D>>
+HWY_INLINE void StoreThree(D d, Vec<D> a, Vec<D> b, Vec<D> c, T* to_a, T* to_b,
+                           T* to_c, std::size_t count) {
+  if constexpr (kWhole) {
+    hn::StoreU(a, d, to_a);
+    hn::StoreU(b, d, to_b);
+    hn::StoreU(c, d, to_c);
+  } else {
+    StoreTail(d, a, to_a, count);
+    StoreTail(d, b, to_b, count);
+    StoreTail(d, c, to_c, count);
+  }
+}
+
 // The inside mask of `method`; stores the weights as well where kOutput says
 // so. `count` lanes are real; kWhole promises that all of them are.
 template <Output kOutput, bool kWhole, class M, class D>
@@ -92,15 +153,8 @@ HWY_INLINE Mask<D> Answer(const M& method, D d, Vec<D> x, Vec<D> y,
     auto wb = x;
     auto wc = x;
     method.Weights(d, x, y, wa, wb, wc);
-    if constexpr (kWhole) {
-      hn::StoreU(wa, d, result.w[0] + i);
-      hn::StoreU(wb, d, result.w[1] + i);
-      hn::StoreU(wc, d, result.w[2] + i);
-    } else {
-      StoreTail(d, wa, result.w[0] + i, count);
-      StoreTail(d, wb, result.w[1] + i, count);
-      StoreTail(d, wc, result.w[2] + i, count);
-    }
+    StoreThree<kWhole>(d, wa, wb, wc, result.w[0] + i, result.w[1] + i,
+                       result.w[2] + i, count);
   }
   const auto inside = method.Inside(d, x, y);
   if constexpr (kWhole) {

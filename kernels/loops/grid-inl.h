@@ -25,12 +25,13 @@ static void Grid(const Batch<T>& batch, const Result<T>& result) {
     const M<OneLane<T>> method(
         one, {one, b.ax + t, b.ay + t, b.bx + t, b.by + t, b.cx + t, b.cy + t});
     for (std::size_t y = 0; y < b.height; ++y) {
-      const auto answer = [&](std::size_t x) HWY_ATTR {
+      // By value, as WriteBits wants it, but for what may have no known size.
+      const auto answer = [&columns, method, d, y](std::size_t x) HWY_ATTR {
         return method.Inside(d, Add(columns, Set(d, static_cast<T>(x))),
                              Set(d, static_cast<T>(y)));
       };
       WriteBits(d, b.width, row, answer,
-                [&](std::size_t x, std::size_t count)
+                [=](std::size_t x, std::size_t count)
                     HWY_ATTR { return And(answer(x), hn::FirstN(d, count)); });
       row += BitBytes(b.width);
     }

@@ -14,8 +14,7 @@ namespace pitbench {
 namespace PITBENCH_ISA {
 
 // Answers for n triangles. kOnePoint: the point is element 0 of px and py,
-// else element i. A point that is not finite is kept out here, once for all
-// triangles or lane by lane, so that no method pays for it.
+// else element i.
 template <template <class> class M, class T, Output kOutput, bool kOnePoint>
 static HWY_INLINE void ManyTriangles(const Batch<T>& batch,
                                      const Result<T>& to) {
@@ -25,23 +24,24 @@ static HWY_INLINE void ManyTriangles(const Batch<T>& batch,
   const Result<T> result = to;
   const T x0 = kOnePoint && b.n != 0 ? *b.px : T{0};
   const T y0 = kOnePoint && b.n != 0 ? *b.py : T{0};
-  const auto answer = [&](const Triangles<D>& triangles, Vec<D> x, Vec<D> y,
-                          auto whole, std::size_t i,
-                          std::size_t count) HWY_ATTR {
-    const auto inside = Answer<kOutput, decltype(whole)::value>(
-        M<D>(d, triangles), d, x, y, result, i, count);
-    return And(inside, IsFinite<D>(x, y));
-  };
+  const auto answer = [=](const Triangles<D>& triangles, Vec<D> x, Vec<D> y,
+                          auto whole, std::size_t i, std::size_t count)
+                          HWY_ATTR {
+                            return Answer<kOutput, decltype(whole)::value>(
+                                M<D>(d, triangles), d, x, y, result, i, count);
+                          };
   WriteBits(
       d, b.n, result.bits,
-      [&](std::size_t i) HWY_ATTR {
+      [=](std::size_t i) HWY_ATTR {
         const Triangles<D> triangles{d,        b.ax + i, b.ay + i, b.bx + i,
                                      b.by + i, b.cx + i, b.cy + i};
-        const auto x = kOnePoint ? Set(d, x0) : hn::LoadU(d, b.px + i);
-        const auto y = kOnePoint ? Set(d, y0) : hn::LoadU(d, b.py + i);
+        const auto x =
+            kOnePoint ? Set(d, x0) : InRegister(hn::LoadU(d, b.px + i));
+        const auto y =
+            kOnePoint ? Set(d, y0) : InRegister(hn::LoadU(d, b.py + i));
         return answer(triangles, x, y, std::true_type(), i, 0);
       },
-      [&](std::size_t i, std::size_t count) HWY_ATTR {
+      [=](std::size_t i, std::size_t count) HWY_ATTR {
         const Tail<D> ax(b.ax + i, count), ay(b.ay + i, count);
         const Tail<D> bx(b.bx + i, count), by(b.by + i, count);
         const Tail<D> cx(b.cx + i, count), cy(b.cy + i, count);

@@ -53,6 +53,19 @@ static void OneTriangle(const Batch<T>& batch, const Result<T>& result) {
   });
 }
 
+template <template <class> class M, class T>
+static void OneTriangleAos(const Batch<T>& batch, const Result<T>& result) {
+  const OneLane<T> one;
+  const M<OneLane<T>> method(
+      one, {one, batch.ax, batch.ay, batch.bx, batch.by, batch.cx, batch.cy});
+  const T* const xy = batch.pxy;
+  WritePlainBits(batch.n, result.bits, [&](std::size_t i) {
+    return static_cast<std::uint8_t>(
+        method.Inside(one, Set(one, xy[2 * i]), Set(one, xy[2 * i + 1])).bits &
+        1);
+  });
+}
+
 template <template <class> class M, class T, Output kOutput>
 static void OnePoint(const Batch<T>& batch, const Result<T>& result) {
   const OneLane<T> one;

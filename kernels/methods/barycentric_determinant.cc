@@ -47,34 +47,68 @@ class BarycentricDeterminant {
     const auto v = V(e, x, y);
     const auto zero = Zero(e);
     const auto sum = Add(u, v);
-    const auto in = AndGe(Ge(u, zero), v, zero);
-    return kBoundary == Boundary::kClosed ? AndLe(in, sum, area_.In(e))
-                                          : AndLt(in, sum, area_.In(e));
+    const auto in = AndIfValid(e, Ge(MinOrSecond(u, v), zero));
+    return kBoundary == Boundary::kClosed ? AndLe(in, sum, size_.In(e))
+                                          : AndLt(in, sum, size_.In(e));
   }
 
   template <class E>
   HWY_INLINE void Weights(E e, Vec<E> x, Vec<E> y, Vec<E>& wa, Vec<E>& wb,
                           Vec<E>& wc) const {
     const auto one = Set(e, TFromD<E>{1});
-    wb = Mul(U(e, x, y), inverse_area_.In(e));
-    wc = Mul(V(e, x, y), inverse_area_.In(e));
+    wb = Mul(U(e, x, y), inverse_size_.In(e));
+    wc = Mul(V(e, x, y), inverse_size_.In(e));
     wa = Sub(one, Add(wb, wc));
   }
 
  private:
-  HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> area)
-      : BarycentricDeterminant(d, t, Winding(d, area), Abs(Area(t, area))) {}
+  // One triangle for many points has its winding in its vectors, and NaN where
+  // it contains nothing. A triangle for one answer is cheaper otherwise: signs
+  // are turned afterwards, and whether it is valid is a mask.
+  static constexpr bool kOne = std::is_same_v<D, OneLane<TFromD<D>>>;
 
-  HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> winding,
+  HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> area)
+      : BarycentricDeterminant(d, t, area, Abs(Area(t, area))) {}
+
+  HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> area,
                                     Vec<D> size)
       : ax_(d, t.Ax()),
         ay_(d, t.Ay()),
-        bx_(d, Mul(Sub(t.Bx(), t.Ax()), winding)),
-        by_(d, Mul(Sub(t.By(), t.Ay()), winding)),
-        cx_(d, Mul(Sub(t.Cx(), t.Ax()), winding)),
-        cy_(d, Mul(Sub(t.Cy(), t.Ay()), winding)),
-        area_(d, size),
-        inverse_area_(d, Div(Set(d, TFromD<D>{1}), size)) {}
+        bx_(d, Turned(d, Sub(t.Bx(), t.Ax()), area)),
+        by_(d, Turned(d, Sub(t.By(), t.Ay()), area)),
+        cx_(d, Turned(d, Sub(t.Cx(), t.Ax()), area)),
+        cy_(d, Turned(d, Sub(t.Cy(), t.Ay()), area)),
+        size_(d, size),
+        inverse_size_(d, ValidOrNaN(d, area, Div(Set(d, TFromD<D>{1}), size))),
+        area_(d, area) {}
+
+  static HWY_INLINE Vec<D> Turned(D d, Vec<D> v, Vec<D> area) {
+    if constexpr (kOne) {
+      return Mul(v, Winding(d, area));
+    } else {
+      (void)d;
+      (void)area;
+      return v;
+    }
+  }
+  template <class E>
+  HWY_INLINE Vec<E> TurnedLater(E e, Vec<E> v) const {
+    if constexpr (kOne) {
+      (void)e;
+      return v;
+    } else {
+      return hn::Xor(v, And(area_.In(e), Set(e, TFromD<E>{-0.0})));
+    }
+  }
+  template <class E>
+  HWY_INLINE Mask<E> AndIfValid(E e, Mask<E> mask) const {
+    if constexpr (kOne) {
+      (void)e;
+      return mask;
+    } else {
+      return AndValidArea(e, mask, area_.In(e));
+    }
+  }
 
   // As the method compares with it: contracted, unlike `area`, which tells
   // whether the triangle is degenerate.
@@ -90,19 +124,21 @@ class BarycentricDeterminant {
 
   template <class E>
   HWY_INLINE Vec<E> U(E e, Vec<E> x, Vec<E> y) const {
-    return DifferenceOfProducts<kFma>(Sub(x, ax_.In(e)), cy_.In(e),
-                                      Sub(y, ay_.In(e)), cx_.In(e));
+    return TurnedLater(
+        e, DifferenceOfProducts<kFma>(Sub(x, ax_.In(e)), cy_.In(e),
+                                      Sub(y, ay_.In(e)), cx_.In(e)));
   }
 
   template <class E>
   HWY_INLINE Vec<E> V(E e, Vec<E> x, Vec<E> y) const {
-    return DifferenceOfProducts<kFma>(bx_.In(e), Sub(y, ay_.In(e)), by_.In(e),
-                                      Sub(x, ax_.In(e)));
+    return TurnedLater(
+        e, DifferenceOfProducts<kFma>(bx_.In(e), Sub(y, ay_.In(e)), by_.In(e),
+                                      Sub(x, ax_.In(e))));
   }
 
   Held<D> ax_, ay_;
   Held<D> bx_, by_, cx_, cy_;
-  Held<D> area_, inverse_area_;
+  Held<D> size_, inverse_size_, area_;
 };
 
 template <class D>
@@ -146,5 +182,6 @@ HWY_AFTER_NAMESPACE();
 PITBENCH_KERNELS(barycentric_determinant,
                  FloatRows<HalfOpen>(kHalfOpen) +
                      FmaRows<HalfOpenFma>(kHalfOpenFma) +
-                     FloatRows<Closed>(kClosed) +
-                     FmaRows<ClosedFma>(kClosedFma));
+                     FloatRows<Closed>(kClosed) + AosRows<Closed>(kClosed) +
+                     FmaRows<ClosedFma>(kClosedFma) +
+                     AosFmaRows<ClosedFma>(kClosedFma));

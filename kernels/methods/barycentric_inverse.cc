@@ -79,19 +79,20 @@ class BarycentricInverse {
   static HWY_INLINE Inverse Invert(D d, const Triangles<D>& t) {
     Inverse inverse;
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-      Eigen::Matrix<T, 3, 3, Eigen::RowMajor> m;
+      using std::abs;
+      Eigen::Matrix<Number<T>, 3, 3, Eigen::RowMajor> m;
       const T entries[9] = {t.ax[lane], t.bx[lane], t.cx[lane],
                             t.ay[lane], t.by[lane], t.cy[lane],
                             T{1},       T{1},       T{1}};
       for (int k = 0; k < 9; ++k) m.data()[k] = entries[k];
-      Eigen::Matrix<T, 3, 3, Eigen::RowMajor> inverted;
-      T determinant;
+      Eigen::Matrix<Number<T>, 3, 3, Eigen::RowMajor> inverted;
+      Number<T> determinant;
       bool invertible;
       m.computeInverseAndDetWithCheck(inverted, determinant, invertible, T{0});
-      invertible = invertible &&
-                   std::abs(determinant) < std::numeric_limits<T>::infinity();
+      invertible =
+          invertible && abs(determinant) < std::numeric_limits<T>::infinity();
       for (int k = 0; k < 9; ++k) {
-        inverse.at[k][lane] = invertible ? inverted.data()[k]
+        inverse.at[k][lane] = invertible ? static_cast<T>(inverted.data()[k])
                                          : std::numeric_limits<T>::quiet_NaN();
       }
     }

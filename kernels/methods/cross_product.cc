@@ -63,4 +63,5 @@ constexpr Method kCrossProduct{
 }  // namespace pitbench
 HWY_AFTER_NAMESPACE();
 
-PITBENCH_KERNELS(cross_product, FloatRows<CrossProduct>(kCrossProduct));
+PITBENCH_KERNELS(cross_product, FloatRows<CrossProduct>(kCrossProduct) +
+                                    AosRows<CrossProduct>(kCrossProduct));

@@ -23,6 +23,9 @@
 //   cross_product_centered_fma, said inside, is 3.46e+07 ulps outside:
 //     (0x1.0df9dp-1, -0x1.86ca6p-2) (0x1.0df9d4p-1, -0x1.86ca68p-2)
 //     (0x1.0df9dp-1, -0x1.86ca64p-2) (-0x1.fff7fcp-1, 0x1.ffffd8p-1)
+//   cross_product_centered_top_left_fma, said inside, is 3.77e+07 ulps outside:
+//     (-0x1.debffp-2, 0x1.6a899cp-1) (-0x1.debff8p-2, 0x1.6a899ap-1)
+//     (-0x1.debff4p-2, 0x1.6a899cp-1) (0x1.ffa81ep-1, -0x1.fee554p-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/cross_product_centered.cc"
@@ -49,8 +52,12 @@ class CrossProductCentered {
     auto on_ca = x;
     auto on_ab = x;
     CrossFromPoint<kFma>(vertices_, e, x, y, on_bc, on_ca, on_ab);
-    return AllAtLeast(on_bc, least_bc_.In(e), on_ca, least_ca_.In(e), on_ab,
-                      least_ab_.In(e));
+    if constexpr (kBoundary == Boundary::kClosed) {
+      return AllNonNegative(e, on_bc, on_ca, on_ab);
+    } else {
+      return AllAtLeast(on_bc, least_bc_.In(e), on_ca, least_ca_.In(e), on_ab,
+                        least_ab_.In(e));
+    }
   }
 
  private:
@@ -79,6 +86,8 @@ template <class D>
 using ClosedFma = CrossProductCentered<D, true, Boundary::kClosed>;
 template <class D>
 using TopLeft = CrossProductCentered<D, false, Boundary::kTopLeft>;
+template <class D>
+using TopLeftFma = CrossProductCentered<D, true, Boundary::kTopLeft>;
 
 constexpr Method kClosed{
     .key = "cross_product_centered",
@@ -100,10 +109,19 @@ constexpr Method kTopLeft{
     .boundary = Boundary::kTopLeft,
 };
 
+constexpr Method kTopLeftFma{
+    .key = "cross_product_centered_top_left_fma",
+    .source = kTopLeft.source,
+    .formula = kTopLeft.formula,
+    .boundary = Boundary::kTopLeft,
+    .fma = true,
+};
+
 }  // namespace PITBENCH_ISA
 }  // namespace pitbench
 HWY_AFTER_NAMESPACE();
 
 PITBENCH_KERNELS(cross_product_centered, FloatRows<Closed>(kClosed) +
                                              FmaRows<ClosedFma>(kClosedFma) +
-                                             FloatRows<TopLeft>(kTopLeft));
+                                             FloatRows<TopLeft>(kTopLeft) +
+                                             FmaRows<TopLeftFma>(kTopLeftFma));

@@ -9,8 +9,10 @@
 // nothing.
 // Fails: |C_k| grows with the distance from the origin, and with it the error;
 // neighbours disagree on their common edge.
-// Integers: exact while the coordinates of triangles and points have at most
-// 15 bits. No NaN there: a degenerate triangle gets C = −1, A = B = 0.
+// Integers: exact while the coordinates of triangles and points differ by less
+// than 2^15 (i32) or 2^7 (i16): every edge value is then at most 2·(2^15 − 1)²
+// or 2·(2^7 − 1)² and fits; what wraps on the way to it does no harm. No NaN
+// there: a degenerate triangle gets C = −1, A = B = 0.
 // Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
 //   edge_function, said inside, is 1.83e+07 ulps outside:
 //     (0x1.8p-1, -0x1.50a1c2p-1) (0x1.ep-1, -0x1.50a1c2p-1)
@@ -21,6 +23,9 @@
 //   edge_function_fma, said inside, is 1.6e+07 ulps outside:
 //     (-0x1.e992aap-1, -0x1.d04p-2) (-0x1.e992acp-1, -0x1p+0)
 //     (-0x1.e992aap-1, -0x1.ep-1) (-0x1.e992aap-1, 0x1.ffffep-2)
+//   edge_function_top_left_fma, said inside, is 1.55e+07 ulps outside:
+//     (0x1p+0, -0x1.f30948p-1) (0x1.c76a8cp-2, -0x1.f30948p-1)
+//     (-0x1.35e3ep-4, -0x1.f30946p-1) (-0x1.ff8p-1, -0x1.f30946p-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/edge_function.cc"
@@ -113,6 +118,8 @@ template <class D>
 using EdgeFunctionFma = EdgeFunction<D, true, Boundary::kClosed>;
 template <class D>
 using EdgeFunctionTopLeft = EdgeFunction<D, false, Boundary::kTopLeft>;
+template <class D>
+using EdgeFunctionTopLeftFma = EdgeFunction<D, true, Boundary::kTopLeft>;
 
 constexpr Method kEdgeFunction{
     .key = "edge_function",
@@ -132,6 +139,14 @@ constexpr Method kEdgeFunctionTopLeft{
     .boundary = Boundary::kTopLeft,
 };
 
+constexpr Method kEdgeFunctionTopLeftFma{
+    .key = "edge_function_top_left_fma",
+    .source = kEdgeFunctionTopLeft.source,
+    .formula = kEdgeFunctionTopLeft.formula,
+    .boundary = Boundary::kTopLeft,
+    .fma = true,
+};
+
 }  // namespace PITBENCH_ISA
 }  // namespace pitbench
 HWY_AFTER_NAMESPACE();
@@ -139,5 +154,9 @@ HWY_AFTER_NAMESPACE();
 PITBENCH_KERNELS(edge_function,
                  FloatRows<EdgeFunctionPlain>(kEdgeFunction) +
                      GridRows<EdgeFunctionPlain>(kEdgeFunction) +
+                     PointListRows<EdgeFunctionPlain>(kEdgeFunction) +
+                     AosRows<EdgeFunctionPlain>(kEdgeFunction) +
                      FmaRows<EdgeFunctionFma>(kEdgeFunctionFma) +
-                     FloatRows<EdgeFunctionTopLeft>(kEdgeFunctionTopLeft));
+                     AosFmaRows<EdgeFunctionFma>(kEdgeFunctionFma) +
+                     FloatRows<EdgeFunctionTopLeft>(kEdgeFunctionTopLeft) +
+                     FmaRows<EdgeFunctionTopLeftFma>(kEdgeFunctionTopLeftFma));

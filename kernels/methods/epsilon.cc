@@ -18,6 +18,9 @@
 //   epsilon, said inside, is 4.7e+07 ulps outside:
 //     (0x1.f0898p-1, -0x1.fd882p-1) (0x1.f089ap-1, -0x1.fd884p-1)
 //     (0x1.f089ap-1, -0x1.fd8848p-1) (-0x1.fffp-1, 0x1.ffffp-1)
+//   epsilon_fma, said inside, is 4.7e+07 ulps outside:
+//     (0x1.f0898p-1, -0x1.fd882p-1) (0x1.f089ap-1, -0x1.fd884p-1)
+//     (0x1.f089ap-1, -0x1.fd8848p-1) (-0x1.fffp-1, 0x1.ffffp-1)
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/epsilon.cc"
@@ -33,7 +36,7 @@ namespace PITBENCH_ISA {
 template <class T>
 inline constexpr T kEpsilon = std::is_same_v<T, float> ? T(1e-6) : T(1e-9);
 
-template <class D>
+template <class D, bool kFma>
 class Epsilon {
  public:
   HWY_INLINE Epsilon(D d, const Triangles<D>& t) : edges_(d, t) {}
@@ -41,14 +44,19 @@ class Epsilon {
   template <class E>
   HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
     const auto least = Set(e, -kEpsilon<TFromD<E>>);
-    return AllAtLeast(EdgeCross<false>(edges_.ab, e, x, y), least,
-                      EdgeCross<false>(edges_.bc, e, x, y), least,
-                      EdgeCross<false>(edges_.ca, e, x, y), least);
+    return AllAtLeast(EdgeCross<kFma>(edges_.ab, e, x, y), least,
+                      EdgeCross<kFma>(edges_.bc, e, x, y), least,
+                      EdgeCross<kFma>(edges_.ca, e, x, y), least);
   }
 
  private:
   Edges<D> edges_;
 };
+
+template <class D>
+using EpsilonPlain = Epsilon<D, false>;
+template <class D>
+using EpsilonFma = Epsilon<D, true>;
 
 template <class T>
 constexpr Method kEpsilonMethod{
@@ -60,11 +68,21 @@ constexpr Method kEpsilonMethod{
     .tolerance = kEpsilon<T>,
 };
 
+template <class T>
+constexpr Method kEpsilonFmaMethod{
+    .key = "epsilon_fma",
+    .source = kEpsilonMethod<T>.source,
+    .formula = kEpsilonMethod<T>.formula,
+    .fma = true,
+    .tolerance = kEpsilon<T>,
+};
+
 }  // namespace PITBENCH_ISA
 }  // namespace pitbench
 HWY_AFTER_NAMESPACE();
 
 PITBENCH_KERNELS(
     epsilon,
-    (LoopRows<Epsilon, float, Output::kInside>(kEpsilonMethod<float>) +
-     LoopRows<Epsilon, double, Output::kInside>(kEpsilonMethod<double>)));
+    (LoopRows<EpsilonPlain, float, Output::kInside>(kEpsilonMethod<float>) +
+     LoopRows<EpsilonPlain, double, Output::kInside>(kEpsilonMethod<double>) +
+     FmaOnly<EpsilonFma>(kEpsilonFmaMethod<float>, kEpsilonFmaMethod<double>)));

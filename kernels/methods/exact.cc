@@ -1,19 +1,22 @@
 // Point in triangle, right for every finite input: a float filter decides, and
 // what it cannot decide goes to exact integer arithmetic.
 //
-//   e_k = A_k·x + B_k·y + C_k > t inside for all k, < −t outside for any k;
+//   y above the lines of the lower edges by more than t, and below those of the
+//   upper ones: inside; beyond one of them by more than t: outside;
 //   between, the signs of three determinants, exactly
 //
-// Set-up: two edge functions, the area and the bound t. Per point: 4 MulAdd, 2
-// subtractions, 3 Min, 1 magnitude, 1 compare; the one in 10^5 or so uniform
+// Set-up: three lines and the bound t. Per point: 3 MulAdd, 1 Max, 2
+// subtractions, 2 Min, 1 magnitude, 1 compare; the one in 10^5 or so uniform
 // points that is undecided costs 3 determinants in double precision, and, where
 // these cannot tell either, in integers of as many bits as the exponents need.
+// Where a line would be too steep for a small t, edge functions take the place
+// of lines.
 // Boundary: closed (exact), open (exact_open) or top-left (exact_top_left):
 // with that every point of a mesh is in exactly one triangle. Winding: any.
 // Degenerate: contains nothing. Fails: never. Slowest where all points are
-// near edges, or where a triangle is so thin or so far from the origin that t
-// exceeds a sixth of its doubled area: then each determinant has its own bound.
-// The proof of t is in loops/filtered-inl.h.
+// near edges, or where a triangle is so thin or so far from the origin that no
+// bound known for a triangle says anything: then each determinant has its own.
+// The proofs are in loops/filters-inl.h.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/exact.cc"
@@ -27,13 +30,26 @@ namespace pitbench {
 namespace PITBENCH_ISA {
 
 template <class T, Boundary kBoundary>
+static void ExactOneTriangle(const Batch<T>& batch, const Result<T>& result) {
+  FilteredOneTriangle(batch, result, kBoundary);
+}
+template <class T, Boundary kBoundary>
+static void ExactOnePoint(const Batch<T>& batch, const Result<T>& result) {
+  FilteredManyTriangles<T, true>(batch, result, kBoundary);
+}
+template <class T, Boundary kBoundary>
+static void ExactPairs(const Batch<T>& batch, const Result<T>& result) {
+  FilteredManyTriangles<T, false>(batch, result, kBoundary);
+}
+
+template <class T, Boundary kBoundary>
 constexpr Rows<3> ExactLoopRows(const Method& method) {
   return {MakeKernel<T>(method, Loop::kOneTriangle, Output::kInside,
-                        FilteredOneTriangle<T, kBoundary>),
+                        ExactOneTriangle<T, kBoundary>),
           MakeKernel<T>(method, Loop::kOnePoint, Output::kInside,
-                        FilteredOnePoint<T, kBoundary>),
+                        ExactOnePoint<T, kBoundary>),
           MakeKernel<T>(method, Loop::kPairs, Output::kInside,
-                        FilteredPairs<T, kBoundary>)};
+                        ExactPairs<T, kBoundary>)};
 }
 
 template <Boundary kBoundary>
@@ -42,7 +58,7 @@ constexpr Rows<6> ExactRows(std::string_view key) {
       .key = key,
       .source = "pitbench; filters after Shewchuk 1997",
       .formula =
-          "edge functions with an error bound; exact integers for what "
+          "edges as lines with an error bound; exact integers for what "
           "they cannot decide",
       .boundary = kBoundary,
   };

@@ -79,7 +79,9 @@ HWY_INLINE V PairOfBytes(V low, V high, V low_byte) {
 
 // The sum of the products of the two bytes of each lane, those of `points`
 // unsigned and those of `factors` signed. Precondition: it has 16 bits.
-#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || \
+#if defined(PITBENCH_COUNTING)
+using hn::SumOfPairs;
+#elif HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || \
     HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
 template <std::size_t kN>
 HWY_INLINE hn::Vec128<std::int16_t, kN> SumOfPairs(

@@ -45,7 +45,7 @@ class UvProjection {
     auto v = x;
     Project(e, x, y, u, v);
     const auto zero = Zero(e);
-    return AndLe(AndGe(Ge(u, zero), v, zero), Add(u, v), Set(e, TFromD<E>{1}));
+    return AndLe(Ge(MinOrSecond(u, v), zero), Add(u, v), Set(e, TFromD<E>{1}));
   }
 
   template <class E>

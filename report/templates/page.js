@@ -1,5 +1,6 @@
-// Sorting and filtering of the tables. A cell is sorted by its data-v if its
-// column is one of numbers, else by its text; cells without a value stay last
+// Sorting and filtering of the tables. A cell is sorted by its data-v if it has
+// one, else by its text, in a column of numbers by the number that begins it;
+// cells without a value stay last
 // in either direction. Rows that are equal keep their order.
 "use strict";
 for (const table of document.querySelectorAll("table.sortable")) {
@@ -7,7 +8,8 @@ for (const table of document.querySelectorAll("table.sortable")) {
   const headers = [...table.tHead.rows[0].cells];
 
   const compare = (column, numeric, direction) => (one, two) => {
-    const key = (row) => row.cells[column].dataset.v ?? row.cells[column].textContent;
+    const key = ({ cells: { [column]: cell } }) => cell.dataset.v ??
+      (numeric ? parseFloat(cell.firstChild.data) : cell.textContent);
     const a = key(one), b = key(two);
     if (a === "" || b === "") return (a === "") - (b === "");
     return direction * (numeric ? a - b : a.localeCompare(b, "en", { numeric: true }));

@@ -7,6 +7,7 @@ than Debian's chromium is needed, and no port is opened.
 
 from __future__ import annotations
 
+import base64
 import json
 import os
 import select
@@ -120,6 +121,27 @@ class Browser:
                 windowsVirtualKeyCode=code,
                 text=text if kind == "keyDown" else "",
             )
+
+    def look(self, width: int, height: int, dark: bool = False) -> None:
+        """Gives the page a size, narrower than a window can be, and a theme."""
+        self._call(
+            "Emulation.setDeviceMetricsOverride",
+            width=width,
+            height=height,
+            deviceScaleFactor=1,
+            mobile=False,
+        )
+        self._call("Emulation.setFocusEmulationEnabled", enabled=True)
+        theme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
+        self._call("Emulation.setEmulatedMedia", features=[theme])
+
+    def point_at(self, x: float, y: float) -> None:
+        """Moves the mouse to a place in the window."""
+        self._call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+
+    def picture(self) -> bytes:
+        """What the window shows, as PNG."""
+        return base64.b64decode(self._call("Page.captureScreenshot")["data"])
 
     def requests(self) -> list[str]:
         """The addresses that the page asked for."""

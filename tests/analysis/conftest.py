@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from analysis.load import load_run
-from analysis.page import write_page
-from analysis.report import Report, build
+from analysis.read.load import load_run
+from analysis.report.page import write_page
+from analysis.report.report import Report, build
+from tests.analysis.hard_scenes import Asked
 from tests.analysis.synthetic import Options, write_run
 
 TWO_METHODS = Options(
@@ -41,3 +42,12 @@ def page(report: Report, tmp_path_factory: pytest.TempPathFactory) -> Path:
 def small_run(tmp_path: Path) -> Path:
     """Two methods, two ISAs, one loop: fast to read, free to spoil."""
     return write_run(tmp_path / "small", TWO_METHODS)
+
+
+@pytest.fixture(scope="session", params=["f32", "f64"])
+def asked(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Asked:
+    """Hard scenes, and the real kernels' answers to them."""
+    scalar = request.param
+    return Asked(scalar, tmp_path_factory.mktemp("cases") / f"{scalar}.csv")

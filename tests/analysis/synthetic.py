@@ -16,7 +16,13 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from tests.analysis import synthetic_accuracy, synthetic_maps
+from tests.analysis import (
+    synthetic_accuracy,
+    synthetic_costs,
+    synthetic_input,
+    synthetic_limits,
+    synthetic_maps,
+)
 from tests.analysis.synthetic_methods import EVERYWHERE, METHODS, has_row
 
 REVISION = "5f17ce7ab1e0" + "0" * 28
@@ -40,7 +46,10 @@ class Options:
     """What of the run differs from the plain one."""
 
     profile: str = "quick"
-    twin_ratio: float = 1.004
+    twin_ratio: float = 1.0
+    doubled_ratio: float = 2.0
+    cpu_share: float = 0.999
+    slowest_place: float = 1.12  # × the time of the aligned kernel
     clock_after: float = 3.49
     steal_percent: float = 0.1
     methods: tuple[str, ...] = tuple(METHODS)
@@ -51,7 +60,24 @@ class Options:
     error_factor: tuple[tuple[str, float], ...] = ()
     repetitions: int = 9
     methods_json: bool = True
+    limits_json: bool = True
+    operations_json: bool = True
     judged_isas: tuple[str, ...] | None = None  # by default the first and the last
+    chance: int = 0  # other noise of the same run
+    model: str = "Synthetic CPU (nothing here was measured)"
+    kernel_hash: str = ""
+    revision: str = REVISION
+    dirty: bool = False
+    isa_up_to: str = ""
+
+
+# On the pixels of the grid: method, scalar, ns a point in the ISA `scalar`.
+POINT_LIST = (
+    ("edge_function", "i32", 1.1),
+    ("edge_function", "i16", 0.5),
+    ("byte_pairs", "u8", 0.25),
+    ("edge_lanes", "i32", 0.6),
+)
 
 
 def write_run(folder: Path, options: Options = Options()) -> Path:
@@ -73,7 +99,8 @@ def documents(options: Options = Options()) -> dict[str, Any]:
         for scalar in options.scalars:
             files[f"speed-{loop}-{scalar}.json"] = speed(options, loop, scalar)
     if not options.small:
-        files["speed-grid-i32.json"] = speed(options, "grid", "i32")
+        files["speed-grid.json"] = speed(options, "grid", "i32")
+        files["speed-input-f32.json"] = speed(options, "input", "f32")
     for family in ["near_edge"] if options.small else synthetic_accuracy.SCENES:
         for scalar in options.scalars:
             name = f"accuracy-{family}-{scalar}.json"
@@ -82,7 +109,26 @@ def documents(options: Options = Options()) -> dict[str, Any]:
     files["maps.json"] = synthetic_maps.document(
         context, options.methods, options.scalars
     )
+    if options.limits_json:
+        files["limits.json"] = synthetic_limits.limits(context, options.isas)
+    files |= synthetic_costs.documents(
+        context, options.methods, options.scalars, options.isas
+    )
+    if not options.operations_json:
+        del files["operations.json"]
+    files["sweep.json"] = sweep(options, files)
     return files
+
+
+def sweep(options: Options, files: dict[str, Any]) -> dict[str, Any]:
+    shards = [name.removesuffix(".json") for name in files]
+    return {
+        "schema": "pitbench-sweep-1",
+        "profile": options.profile,
+        "program_sha256": "5a" * 32,
+        "shards": sorted(set(shards) - {"machine", "methods"}),
+        **({"isa_up_to": options.isa_up_to} if options.isa_up_to else {}),
+    }
 
 
 def machine(options: Options) -> dict[str, Any]:
@@ -91,7 +137,7 @@ def machine(options: Options) -> dict[str, Any]:
     return {
         "schema": "pitbench-machine-1",
         "cpu": {
-            "model": "Synthetic CPU (nothing here was measured)",
+            "model": options.model,
             "microcode": "0x0",
             "cores": 2,
             "threads": 2,
@@ -118,10 +164,11 @@ def machine(options: Options) -> dict[str, Any]:
             },
         },
         "libraries": {"highway": "1.0.3", "benchmark": "1.7.1", "eigen": "3.4.0"},
-        "revision": REVISION,
-        "dirty": False,
+        "revision": options.revision,
+        "dirty": options.dirty,
         "seed": SEED,
         "memory_bytes": 8 << 30,
+        **({"kernel_hash": options.kernel_hash} if options.kernel_hash else {}),
     }
 
 
@@ -152,6 +199,7 @@ def catalogue(options: Options) -> dict[str, Any]:
             {"name": "near_edge", "parameters": "ulps", "describes": "beside an edge"},
         ],
         "kernels": 321,
+        "writes": {"one_triangle": "a bit each", "grid": "rows of bits"},
     }
 
 
@@ -164,20 +212,26 @@ def speed_context(options: Options, pattern: str) -> dict[str, Any]:
             "schema": "pitbench-speed-1",
             "profile": options.profile,
             "filter": pattern,
-            "revision": REVISION,
-            "dirty": False,
+            "revision": options.revision,
+            "dirty": options.dirty,
             "seed": SEED,
             "cpu": 1,
             "clock_before_ghz": 3.5,
             "clock_after_ghz": options.clock_after,
+            "throughput_before_gops": 21.0,
+            "throughput_after_gops": 20.9,
             "steal_percent": options.steal_percent,
             "load_average": 0.7,
+            "wall_seconds": 8.0,
+            "cpu_seconds": 8.0 * options.cpu_share,
+            "preemptions": 12,
         },
     }
 
 
 def speed(options: Options, loop: str, scalar: str) -> dict[str, Any]:
-    chance = random.Random(f"{SEED} {loop} {scalar}")
+    more = f" {options.chance}" if options.chance else ""
+    chance = random.Random(f"{SEED} {loop} {scalar}{more}")
     rows: list[dict[str, Any]] = []
     for name, ns, items in timed_cells(options, loop, scalar):
         if ns is None:
@@ -207,8 +261,9 @@ def speed(options: Options, loop: str, scalar: str) -> dict[str, Any]:
                     "time_unit": "ns",
                     "items_per_second": 1e9 / (ns * noise),
                     "items": items,
-                    "working_set_bytes": 32768.0,
+                    "working_set_bytes": 8 * items if loop == "input" else 32768.0,
                     "bytes_per_item": 8.0 if scalar == "f32" else 16.0,
+                    "scene_bytes": 38912.0,
                 }
             )
     chance.shuffle(rows)
@@ -222,12 +277,28 @@ def timed_cells(
     options: Options, loop: str, scalar: str
 ) -> list[tuple[str, float | None, float]]:
     """(name, ns per item or None where the cell is refused, items a call)."""
+    if loop == "input":
+        return synthetic_input.cells(scalar)
     if loop == "grid":
-        return [
-            (f"grid/grid_80x50:sets={s}/cross_product/i32/{isa}", 4100.0 / rate, 16.0)
-            for s in ("fresh", "fixed")
+        isas = {
+            isa: rate
             for isa, rate in ISA_SPEED.items()
             if isa in options.isas and not isa.startswith("autovec")
+        }
+        return [
+            (f"grid/grid_80x50:sets={s}/{method}/i32/{isa}", ns / rate, 16.0)
+            for s in ("fresh", "fixed")
+            for method, ns in (("edge_function", 4100.0), ("row_spans", 110.0))
+            for isa, rate in isas.items()
+        ] + [
+            (
+                f"one_triangle/grid_points_80x50:sets=fresh/{method}/{scalar}/{isa}",
+                ns / (rate if method != "edge_lanes" else 1.0),
+                4000.0,
+            )
+            for method, scalar, ns in POINT_LIST
+            for isa, rate in isas.items()
+            if method != "edge_lanes" or isa != "scalar"
         ]
     factors = dict(options.speed_factor)
     cells: list[tuple[str, float | None, float]] = []
@@ -238,7 +309,7 @@ def timed_cells(
             ns = METHODS[key].ns * LOOPS[loop] * factors.get(key, 1.0)
             ns *= (1.0 if scalar == "f32" else 1.9) / ISA_SPEED[isa]
             tail = f"{key}/{scalar}/{isa}"
-            scene = "uniform:hit=50:n=4096:sets="
+            scene = "uniform:hit=50:bytes=24k:sets="
             for sets in ("fresh", "fixed") if key in EVERYWHERE else ("fresh",):
                 branchy = 4.0 if sets == "fresh" and isa == "scalar" else 1.0
                 cells.append((f"{loop}/{scene}{sets}/{tail}", ns * branchy, 4096.0))
@@ -246,10 +317,17 @@ def timed_cells(
                 name = f"{loop}_weights/{scene}fresh/{tail}"
                 cells.append((name, ns * 1.8, 4096.0))
     isa, key = options.isas[-1], options.methods[0]
-    twin = f"{loop}/uniform:hit=50:n=4096:sets=fresh/{key}/{scalar}/{isa}/twin"
+    twin = f"{loop}/uniform:hit=50:bytes=24k:sets=fresh/{key}/{scalar}/{isa}/twin"
     base = next(ns for name, ns, _ in cells if name + "/twin" == twin)
     assert base is not None
     cells.append((twin, base * options.twin_ratio, 4096.0))
+    doubled = twin.replace("/twin", "/doubled")
+    cells.append((doubled, base * options.doubled_ratio, 4096.0))
+    if loop == "one_triangle" and scalar == "f32":
+        steps = (options.slowest_place - 1) / 3
+        for step in range(4):
+            placed = twin.replace("/twin", f"/placed_{16 * step}")
+            cells.append((placed, base * (1 + step * steps), 4096.0))
     if scalar == "f64" and loop == "pairs":
         cells = [
             (name, None if "/uv_projection/" in name else ns, items)
@@ -273,8 +351,8 @@ def accuracy(options: Options, family: str, scalar: str) -> dict[str, Any]:
             "schema": "pitbench-accuracy-2",
             "profile": options.profile,
             "filter": f"{family}.*/{scalar}/",
-            "revision": REVISION,
-            "dirty": False,
+            "revision": options.revision,
+            "dirty": options.dirty,
             "seed": SEED,
         },
         "cells": synthetic_accuracy.cells(

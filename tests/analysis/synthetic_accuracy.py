@@ -5,12 +5,12 @@ from __future__ import annotations
 import random
 from typing import Any
 
-from analysis.stats import wilson
+from analysis.trust.stats import wilson
 from tests.analysis.synthetic_methods import METHODS
 
 # Family → (scene, share of the method's error rate near an edge).
 SCENES: dict[str, list[tuple[str, float]]] = {
-    "uniform": [("uniform:hit=50:n=4096:sets=fresh", 0.0)],
+    "uniform": [("uniform:hit=50:bytes=24k:sets=fresh", 0.0)],
     "near_edge": [(f"near_edge:ulps={2**k}", 0.8**k / (1 + k)) for k in range(9)],
     "near_vertex": [(f"near_vertex:ulps={k}", 0.6) for k in (0, 1, 16, 256)],
     "needle": [(f"needle:aspect={e}", min(e / 20, 1.0)) for e in range(2, 17, 2)],

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from analysis.cells import Cell, CellNameError, Scene, parse_cell, parse_scene
+from analysis.read.cells import Cell, CellNameError, Scene, parse_cell, parse_scene
 
 WORDS = st.from_regex(r"[a-z][a-z0-9_]{0,12}", fullmatch=True)
 VALUES = st.from_regex(r"[A-Za-z0-9_.+-]{1,8}", fullmatch=True)
@@ -26,7 +26,15 @@ CELLS = st.builds(
     method=WORDS,
     scalar=WORDS,
     isa=WORDS,
-    twin=st.booleans(),
+    control=st.sampled_from(["", "twin", "doubled", "placed_0", "placed_48"]),
+) | st.builds(
+    Cell,
+    loop=WORDS,
+    scene=SCENES,
+    method=WORDS,
+    scalar=WORDS,
+    isa=WORDS,
+    threads=st.integers(1, 999_999),
 )
 
 
@@ -60,7 +68,7 @@ def test_the_names_of_the_design_are_read() -> None:
     cell = parse_cell(
         "one_triangle/uniform:hit=50:n=4096:sets=fresh/edge_function/f32/avx512/twin"
     )
-    assert cell.twin
+    assert cell.control == "twin"
     assert cell.scene.family == "uniform"
     assert cell.scene.number("n") == 4096
     assert cell.scene.get("sets") == "fresh"
@@ -74,6 +82,11 @@ def test_the_names_of_the_design_are_read() -> None:
         ("", "not of the form"),
         ("a/b/c/d", "not of the form"),
         ("a/b/c/d/e/f", "not of the form"),
+        ("a/b/c/d/e/", "not of the form"),
+        ("a/b/c/d/e/twin/twin", "not of the form"),
+        ("a/b/c/d/e/placed_", "not of the form"),
+        ("a/b/c/d/e/threads:0", "not of the form"),
+        ("a/b/c/d/e/threads:2/twin", "not of the form"),
         ("a/b:k/c/d/e", "no '=value'"),
         ("a/b:k=1:k=2/c/d/e", "twice"),
         ("a/b:k=/c/d/e", "value of scene parameter 'k'"),

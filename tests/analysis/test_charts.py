@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from analysis import palette
-from analysis.chart_frame import RateAxis, spread
+from analysis.charts import palette
+from analysis.charts.chart_frame import RateAxis, spread
 
 
 def test_labels_that_keep_apart_are_not_moved() -> None:
@@ -84,3 +84,6 @@ def test_every_chart_is_svg_with_machine_and_revision_and_png(page: Path) -> Non
         root = ElementTree.fromstring(chart.read_text())
         assert root.tag.endswith("svg")
         assert chart.with_suffix(".png").read_bytes().startswith(b"\x89PNG")
+        words = "\n".join(root.itertext())
+        assert "Synthetic CPU" in words and "5f17ce7ab1e0" in words
+        assert "sans-serif" in root.get("font-family", "")

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from analysis.__main__ import main
-from analysis.readme import BEGIN, END, replaced
+from analysis.report.readme import BEGIN, END, replaced
 
 
 def test_report_writes_beside_the_run_and_prints_the_page_last(
@@ -19,12 +19,16 @@ def test_report_writes_beside_the_run_and_prints_the_page_last(
     assert capsys.readouterr().out.splitlines()[-1] == str(page)
     assert page.is_file()
     assert (page.parent / "tables" / "cells.csv").is_file()
+    assert (page.parent / "report.pdf").read_bytes().startswith(b"%PDF-")
+    text = page.read_text()
+    assert 'href="report.pdf"' in text and 'href="../machine.json"' in text
     assert [p for p in page.parent.rglob(".*") if p.is_file()] == []
 
 
 def test_report_writes_where_it_is_told(small_run: Path, tmp_path: Path) -> None:
     assert main(["report", str(small_run), "--out", str(tmp_path / "there")]) == 0
-    assert (tmp_path / "there" / "index.html").is_file()
+    page = tmp_path / "there" / "index.html"
+    assert 'href="../machine.json"' not in page.read_text()
     assert not (small_run / "report").exists()
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pandas as pd
 import pytest
 
-from analysis.exact_tables import exact_errors, exact_speed, worst_ratios
-from analysis.stats import wilson
-from analysis.tables import speed_cells
+from analysis.accuracy.exact_tables import exact_errors, exact_speed, worst_ratios
+from analysis.speed.tables import speed_cells
+from analysis.trust.stats import wilson
 from tests.analysis.test_tables import FIXED, FRESH, accuracy_frame, name, speed_frame
 
 L3 = "uniform:hit=50:n=262144:sets=fresh"

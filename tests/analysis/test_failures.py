@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from analysis.failures import decimal, smallest_examples
-from analysis.run import WORST_COLUMNS
+from analysis.accuracy.failures import decimal, smallest_examples
+from analysis.read.run import WORST_COLUMNS
 
 LONG = "0x1.99999ap-4 0x1.333334p-2"
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 import base64
 import dataclasses
 import json
+import math
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from analysis.load import LoadError, load_run
+from analysis.read.load import LoadError, load_run
 from tests.analysis.conftest import TWO_METHODS
 from tests.analysis.synthetic import REVISION, write_run
 
@@ -29,8 +30,12 @@ def test_a_run_is_loaded_whole(small_run: Path) -> None:
     run = load_run(small_run)
     assert run.machine.revision == REVISION
     assert run.profile == "tiny"
-    # 2 methods × 2 ISAs × fresh and fixed, and a twin; 9 repetitions each.
-    assert len(run.speed) == (2 * 2 * 2 + 1) * 9
+    # 2 methods × 2 ISAs × fresh and fixed, a twin, a doubled one and 4 places; 9
+    # repetitions each.
+    assert len(run.speed) == (2 * 2 * 2 + 2 + 4) * 9
+    assert set(run.speed["control"]) == {"", "twin", "doubled"} | {
+        f"placed_{shift}" for shift in (0, 16, 32, 48)
+    }
     assert len(run.accuracy) == 2 * 2 * 9
     assert [shard.name for shard in run.shards] == ["speed-one_triangle-f32"]
     assert {entry.key for entry in run.methods} == set(TWO_METHODS.methods)
@@ -43,6 +48,18 @@ def test_nanoseconds_are_of_one_item(small_run: Path) -> None:
 
     edit(small_run / SPEED, two_items)
     assert load_run(small_run).speed["ns"].iloc[0] == 0.25
+
+
+def test_a_shard_of_an_older_run_does_not_tell_how_much_of_its_cpu_it_had(
+    small_run: Path,
+) -> None:
+    def forget(document: Any) -> None:
+        for key in ("wall_seconds", "cpu_seconds", "preemptions"):
+            del document["context"]["pitbench"][key]
+
+    assert load_run(small_run).shards[0].preemptions == 12
+    edit(small_run / SPEED, forget)
+    assert math.isnan(load_run(small_run).shards[0].wall_seconds)
 
 
 def test_a_run_without_methods_json_is_loaded(small_run: Path) -> None:

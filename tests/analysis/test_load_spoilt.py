@@ -9,7 +9,7 @@ from typing import Any
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from analysis.load import LoadError, load_run
+from analysis.read.load import LoadError, load_run
 from tests.analysis.conftest import TWO_METHODS
 from tests.analysis.synthetic import documents, write_run
 

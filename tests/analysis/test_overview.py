@@ -7,14 +7,14 @@ import math
 import pandas as pd
 import pytest
 
-from analysis import ramp
-from analysis.failure_columns import failure_rate
-from analysis.flags_axis import bases, flags_axis
-from analysis.method_families import FAMILIES, by_family, family_of, in_order
-from analysis.overview import failing_most, never_failing, overview
-from analysis.run import MethodEntry
-from analysis.stats import wilson
-from analysis.tables import speed_cells
+from analysis.accuracy.failure_columns import failure_rate
+from analysis.accuracy.flags_axis import bases, flags_axis
+from analysis.accuracy.overview import failing_most, never_failing, overview
+from analysis.charts import ramp
+from analysis.read.run import MethodEntry
+from analysis.report.method_families import FAMILIES, by_family, family_of, in_order
+from analysis.speed.tables import speed_cells
+from analysis.trust.stats import wilson
 from tests.analysis.synthetic_methods import METHODS
 from tests.analysis.test_tables import FRESH, accuracy_frame, name, speed_frame
 

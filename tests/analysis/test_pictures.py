@@ -11,13 +11,18 @@ import pandas as pd
 import pytest
 from PIL import Image
 
-from analysis import ramp
-from analysis.gradients import NO_WEIGHTS, OUTSIDE, picture, steps
-from analysis.heat_maps import picture as heat_picture
-from analysis.maps import Gradient, UlpMap
-from analysis.small_svg import inline
-from analysis.ulp_maps import ANSWERS, CLAIMS, answer_classes, answers_chart
-from analysis.ulp_maps import claim_classes
+from analysis.accuracy.gradients import NO_WEIGHTS, OUTSIDE, picture, steps
+from analysis.accuracy.heat_maps import picture as heat_picture
+from analysis.accuracy.ulp_maps import (
+    ANSWERS,
+    CLAIMS,
+    answer_classes,
+    answers_chart,
+    claim_classes,
+)
+from analysis.charts import ramp, svg_paths
+from analysis.charts.small_svg import inline
+from analysis.read.maps import Gradient, UlpMap
 
 # Row j, column i; the lower triangle holds i > j.
 LOWER = np.array([[1, 0, 1], [1, 0, 1], [0, 0, 1]], dtype=bool)
@@ -84,14 +89,48 @@ def test_a_smaller_picture_has_the_same_pixels(colours: int) -> None:
     assert len(found) < len(text)
 
 
-def test_coordinates_are_rounded_but_scales_are_not() -> None:
+def test_places_are_rounded_but_scales_are_not() -> None:
     made = inline(
-        '<svg>\n   <path d="M 1.23456 7 \nL 2 3.999"/>'
-        '<g transform="translate(1.23456 2) scale(0.015625)"/></svg>',
+        '<svg>\n   <path d="M 1.23456 7 \nL 2 133.999 \nL 2 9"/>'
+        '<text transform="translate(1.23456 2) scale(0.015625)">a</text></svg>',
         "key",
     )
-    assert 'd="M 1.23 7 L 2 3.99"' in made
-    assert "scale(0.015625)" in made
+    assert 'd="M1.2 7L2 134V9"' in made
+    assert "translate(1.23456 2) scale(0.015625)" in made
+
+
+def test_what_is_painted_keeps_its_order_and_look_out_of_its_groups() -> None:
+    mark = '<use xlink:href="#m" x="{}" y="2" style="fill: #ff0000"/>'
+    made = inline(
+        '<svg xmlns:xlink="http://www.w3.org/1999/xlink"><g id="axes_1"><defs>'
+        '<path id="m" d="M 0 0 L 1 1" style="stroke: #000000"/></defs><g>'
+        + mark.format(1)
+        + mark.format(3)
+        + "</g></g><g><path d='M 0 0 L 5 0' style='fill: none; stroke: #00ff00'/>"
+        "<path style='fill: none; stroke: #00ff00'/>"  # of nothing
+        "<path d='M 0 1 L 5 1' style='fill: none; stroke: #00ff00'/></g></svg>",
+        "key",
+    )
+    body = made[made.index("</defs>") :]
+    assert re.findall(r'<(\w+)[^>]* (?:x|d)="([^"]*)"', body) == [
+        ("use", "1"),
+        ("use", "3"),
+        ("path", "M0 0H5M0 1H5"),
+    ]
+    assert '<g fill="#ff0000" stroke="#000000">' in body
+    assert 'fill="none" stroke="#00ff00"' in body
+
+
+@pytest.mark.parametrize(
+    ("path", "written"),
+    [
+        ("M 1 2 L 1.01 2.01 L 3 4 z", "M1 2L3 4Z"),
+        ("M 1 2 L 1.01 2.01", "M1 2h0"),
+        ("M -0.5 -0.04 C 1 2 -3 4 5 6", "M-.5 0C1 2-3 4 5 6"),
+    ],
+)
+def test_a_path_is_written_in_short(path: str, written: str) -> None:
+    assert svg_paths.short(svg_paths.steps(path), 1) == written
 
 
 def test_a_heat_map_has_a_colour_a_rate_and_grey_where_nothing_was_asked() -> None:

@@ -13,11 +13,11 @@ from pathlib import Path
 import pandas as pd
 import pytest
 
-from analysis import failure_prose
-from analysis.load import load_run
-from analysis.page import render, write_page
-from analysis.report import Report, build
-from analysis.verdicts import advise
+from analysis.accuracy import failure_prose
+from analysis.read.load import load_run
+from analysis.report.page import render, write_page
+from analysis.report.report import Report, build
+from analysis.report.verdicts import advise
 from tests.analysis.conftest import TWO_METHODS
 from tests.analysis.synthetic import Options, write_run
 
@@ -50,6 +50,10 @@ def test_the_prose_follows_the_data(tmp_path: Path) -> None:
     after = text_of(tmp_path / "b", slower)
     assert "cross_product was both the fastest" in after
     assert "edge_function was the fastest" not in after
+    tied = dataclasses.replace(FOUR, speed_factor=(("cross_product", 1.6 / 1.9),))
+    equal = text_of(tmp_path / "c", tied)
+    assert "the fastest, at" in equal and "was the fastest, at" not in equal
+    assert "among the fastest, at" in equal
 
 
 def test_a_method_without_errors_is_said_to_make_none(tmp_path: Path) -> None:
@@ -71,9 +75,9 @@ def test_a_method_that_errs_on_everyday_points_is_never_advised(
 ) -> None:
     run = load_run(write_run(tmp_path / "a", FOUR))
     evenly = run.accuracy.assign(
-        family="uniform", scene="uniform:hit=50:n=4096:sets=fresh", false_outside=0
+        family="uniform", scene="uniform:hit=50:bytes=24k:sets=fresh", false_outside=0
     )
-    wrong = (evenly["method"] == "edge_function").astype(int)
+    wrong = (evenly["method"] == "edge_function") * evenly["exterior"] // 100
     both = pd.concat([run.accuracy, evenly.assign(false_inside=wrong)])
     report = build(dataclasses.replace(run, accuracy=both))
     assert report.advice is not None
@@ -82,7 +86,8 @@ def test_a_method_that_errs_on_everyday_points_is_never_advised(
     assert own.loc["cross_product", "time_over_best"] == 1.0
     assert own.loc["edge_function", "time_over_best"] < 1.0
     page = render(report, "index.html.j2")
-    assert "and do not err where points are spread evenly" in page
+    page = html.unescape(page).replace("\u00a0", " ")
+    assert "and err on no more than 100 in a million of points spread evenly" in page
 
 
 def test_a_method_with_a_warning_is_never_advised(tmp_path: Path) -> None:
@@ -115,6 +120,26 @@ def test_a_tie_in_speed_is_said(tmp_path: Path) -> None:
     }
 
 
+def test_none_of_a_tie_is_called_the_fastest(tmp_path: Path) -> None:
+    tie = dataclasses.replace(FOUR, speed_factor=(("cross_product", 1.6 / 1.9),))
+    report = build(load_run(write_run(tmp_path / "a", tie)))
+    said = dict(zip(report.verdicts["method"], report.verdicts["verdict"]))
+    assert not any("the fastest" in text for text in said.values())
+    both = said["edge_function"] + said["cross_product"]
+    assert "as fast as" in both or "takes as long" in both
+
+
+def test_every_ratio_of_times_in_the_prose_has_its_interval(report: Report) -> None:
+    page = html.unescape(render(report, "index.html.j2")).replace("\u00a0", " ")
+    said = re.findall(r"<code>avx512</code>: [^<]*", page)
+    assert len(re.findall(r"× \([0-9.]+ to [0-9.]+; ", said[0])) == 2
+    assert re.search(r"takes [0-9.]+ × the time \([0-9.]+ to [0-9.]+\) of the", page)
+    for verdict in report.verdicts["verdict"]:
+        text = verdict.replace("\u00a0", " ")
+        for after in re.findall(r"[0-9.]+ × as fast(.*)", text):
+            assert re.match(r" \([0-9.]+ to [0-9.]+\)", after), text
+
+
 def test_without_judged_answers_there_is_no_advice(report: Report) -> None:
     assert advise(report.verdicts.assign(error_rate=float("nan"))) is None
 
@@ -129,6 +154,9 @@ def test_without_judged_answers_there_is_no_advice(report: Report) -> None:
             "the clock went from 3.50 to 3.00",
         ),
         (dataclasses.replace(FOUR, steal_percent=7.5), "took 7.5 % of the time"),
+        (dataclasses.replace(FOUR, cpu_share=0.5), "had its CPU for 50.0 %"),
+        (dataclasses.replace(FOUR, doubled_ratio=1.0), "a real difference is missed"),
+        (FOUR, "1 of the intervals exclude 1"),
     ],
 )
 def test_noise_stands_at_the_top(tmp_path: Path, options: Options, says: str) -> None:
@@ -161,6 +189,7 @@ def test_all_sections_are_in_the_page_of_a_full_run(page: Path) -> None:
     keys += ["heat-exponent_spread", "ulps-f32", "ulps-f64", "claims-f32"]
     keys += ["claims-f64", "gradients-f32", "two_truths", "exact_errors"]
     keys += ["exact_speed", "fails-exact", "fails-edge_function"]
+    keys += ["pairs", "placements", "placements_spread", "trust"]
     keys += ["weights_cost", "cells", "accuracy", "refused", "shards", "flags"]
     assert [key for key in keys if f'id="{key}"' not in text] == []
 
@@ -201,8 +230,10 @@ def test_another_process_gives_the_same_bytes(small_run: Path) -> None:
             env={**os.environ, "PYTHONHASHSEED": seed},
             check=True,
         )
-        pages.append((out / "index.html").read_bytes())
+        files = sorted(path for path in out.rglob("*") if path.is_file())
+        pages.append({file.relative_to(out): file.read_bytes() for file in files})
     assert pages[0] == pages[1]
+    assert {Path("report.pdf"), Path("data/measured.json.gz")} < set(pages[0])
 
 
 @pytest.mark.parametrize(

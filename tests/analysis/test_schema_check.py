@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from analysis.read_json import _validator
-from analysis.schema_check import UnknownKeyword, compiled
+from analysis.read.read_json import _validator
+from analysis.read.schema_check import UnknownKeyword, compiled
 from tests.analysis.conftest import TWO_METHODS
 from tests.analysis.synthetic import documents
 from tests.analysis.test_load_spoilt import JSON, places

@@ -3,16 +3,26 @@
 from __future__ import annotations
 
 import copy
+import json
+import tempfile
+from pathlib import Path
 from typing import Any
 
 import jsonschema
 import pytest
 
-from analysis.read_json import SCHEMAS, _validator
+from analysis.cpus.stored_run import measured
+from analysis.read.load import load_run
+from analysis.read.read_json import SCHEMAS, _validator
 from tests.analysis.conftest import TWO_METHODS
-from tests.analysis.synthetic import documents
+from tests.analysis.synthetic import documents, write_run
 
-NAMES = ["machine", "speed", "accuracy", "methods", "maps"]
+NAMES = ["machine", "speed", "accuracy", "methods", "maps", "limits"] + [
+    "operations",
+    "instructions",
+    "sweep",
+    "stored",
+]
 
 
 def fits(name: str, document: Any) -> bool:
@@ -20,6 +30,10 @@ def fits(name: str, document: Any) -> bool:
 
 
 def good(name: str) -> Any:
+    if name == "stored":
+        with tempfile.TemporaryDirectory() as folder:
+            run = load_run(write_run(Path(folder) / "run", TWO_METHODS))
+        return json.loads(json.dumps(measured(run, "a label", anonymous=False)))
     files = documents(TWO_METHODS)
     return copy.deepcopy(next(d for f, d in files.items() if f.startswith(name)))
 

@@ -6,10 +6,12 @@ import math
 
 import pytest
 
-from analysis.stats import (
+from analysis.trust.stats import (
+    benjamini_hochberg,
     median_interval,
     pareto_frontier,
     ratio_interval,
+    ratio_p_value,
     wilson,
 )
 
@@ -132,3 +134,46 @@ def test_frontier_keeps_equals_together() -> None:
 
 def test_unknown_error_is_never_on_the_frontier_and_beats_nothing() -> None:
     assert pareto_frontier([9.0, 1.0], [math.nan, 0.5]) == [False, True]
+
+
+def shifted(u: int) -> list[float]:
+    """Nine values of which exactly `u` of 81 pairs with 0.5, 1.5, … 8.5 win."""
+    full, rest = divmod(u, 9)
+    tail = [-1.0 - i for i in range(9 - full - (rest > 0))]
+    return [10.0 + i for i in range(full)] + [float(rest)] * (rest > 0) + tail
+
+
+def test_p_values_follow_the_tables_of_mann_and_whitney() -> None:
+    """For nine and nine U = 17 is the critical value of 5 % on two sides."""
+    others = [0.5 + i for i in range(9)]
+    above = [v + 100 for v in others]  # ratios need positive values
+    assert ratio_p_value([v + 100 for v in shifted(81 - 17)], above) <= 0.05
+    assert ratio_p_value([v + 100 for v in shifted(81 - 18)], above) > 0.05
+
+
+def test_p_value_of_samples_wholly_apart_is_two_in_all_orders() -> None:
+    low, high = [1.0 + i / 100 for i in range(9)], [2.0 + i / 100 for i in range(9)]
+    assert ratio_p_value(high, low) == pytest.approx(2 / math.comb(18, 9))
+    assert ratio_p_value(low, high) == ratio_p_value(high, low)
+
+
+def test_p_value_of_equal_samples_is_one() -> None:
+    assert ratio_p_value([3.0] * 9, [3.0] * 9) == 1.0
+
+
+def test_p_value_counts_only_what_lies_beyond_the_band() -> None:
+    low, high = [1.0 + i / 1000 for i in range(9)], [1.04 + i / 1000 for i in range(9)]
+    assert ratio_p_value(high, low, 0.02) == pytest.approx(2 / math.comb(18, 9))
+    assert ratio_p_value(high, low, 0.06) == 1.0
+    assert ratio_p_value(low, high, 0.06) == 1.0
+
+
+def test_false_discovery_rate_follows_its_authors_example() -> None:
+    """Benjamini and Hochberg (1995), section 3.2: four of fifteen at 5 %."""
+    values = [0.0001, 0.0004, 0.0019, 0.0095, 0.0201, 0.0278, 0.0298, 0.0344]
+    values += [0.0459, 0.3240, 0.4262, 0.5719, 0.6528, 0.7590, 1.0000]
+    adjusted = benjamini_hochberg(values)
+    assert [a <= 0.05 for a in adjusted] == [True] * 4 + [False] * 11
+    assert adjusted[0] == pytest.approx(0.0015)
+    assert benjamini_hochberg(values[::-1]) == adjusted[::-1]
+    assert benjamini_hochberg([]) == []

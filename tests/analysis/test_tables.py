@@ -7,9 +7,10 @@ import math
 import pandas as pd
 import pytest
 
-from analysis import accuracy_tables, tables
-from analysis.cells import parse_cell
-from analysis.run import ACCURACY_COLUMNS, SPEED_COLUMNS
+from analysis.accuracy import accuracy_tables
+from analysis.read.cells import parse_cell
+from analysis.read.run import ACCURACY_COLUMNS, SPEED_COLUMNS
+from analysis.speed import tables
 
 FRESH = "uniform:hit=50:n=4096:sets=fresh"
 FIXED = "uniform:hit=50:n=4096:sets=fixed"
@@ -31,7 +32,7 @@ def speed_frame(times: dict[str, list[float]], shard: str = "speed-a") -> pd.Dat
                     "method": cell.method,
                     "scalar": cell.scalar,
                     "isa": cell.isa,
-                    "twin": cell.twin,
+                    "control": cell.control,
                     "repetition": repetition,
                     "ns": ns,
                     "items": 4096.0,
@@ -123,8 +124,16 @@ def test_no_ratio_reaches_over_two_shards() -> None:
     assert math.isnan(cells.loc[name("cross_product", "avx2"), "times_scalar"])
 
 
-def test_twins_are_no_cells_of_their_own() -> None:
-    assert len(tables.speed_cells(SPEED)) == 4
+def test_controls_are_no_cells_of_their_own() -> None:
+    base = name("cross_product", "avx2")
+    more = {base + end: [9.0] * 3 for end in ("/doubled", "/placed_16")}
+    assert len(tables.speed_cells(pd.concat([SPEED, speed_frame(more)]))) == 4
+
+
+def test_repetitions_are_taken_as_they_ran_and_not_as_they_stand() -> None:
+    cell = name("edge_function", "avx2")
+    frame = speed_frame({cell: [1.0, 2.0, 3.0]}).iloc[::-1]
+    assert list(tables.samples(frame)["speed-a", cell]) == [1.0, 2.0, 3.0]
 
 
 def test_fresh_over_fixed() -> None:
@@ -193,17 +202,19 @@ def test_boundary_points_are_neither_right_nor_wrong() -> None:
     assert rates.set_index("method").loc["cross_product", "of"] == 400
 
 
-def test_isas_with_the_same_counts_are_one_row() -> None:
-    scene = "near_edge:ulps=1"
+def test_a_family_is_pooled_with_the_same_counts_of_isas_once() -> None:
+    one, two = "near_edge:ulps=1", "near_edge:ulps=2"
     cells = {
-        name("a", "scalar", scene): (9, 1, 9, 1),
-        name("a", "avx2", scene): (9, 1, 9, 1),
-        name("a", "avx512", scene): (9, 0, 9, 0),
+        name("a", "scalar", one): (9, 1, 9, 1),
+        name("a", "avx2", one): (9, 1, 9, 1),
+        name("a", "scalar", two): (20, 3, 5, 0),
+        name("b", "scalar", one): (9, 1, 9, 1),
+        name("b", "avx512", one): (9, 0, 9, 0),
     }
-    table = accuracy_tables.same_counts_joined(
-        accuracy_tables.accuracy_cells(accuracy_frame(cells))
-    )
-    assert dict(zip(table["isa"], table["wrong"])) == {"scalar, avx2": 2, "avx512": 0}
+    table = accuracy_tables.families_pooled(accuracy_frame(cells)).set_index("method")
+    assert dict(table["wrong"]) == {"a": 2 + 3, "b": 2 + 0}
+    assert dict(table["of"]) == {"a": 18 + 25, "b": 36}
+    assert dict(table["scenes"]) == {"a": 2, "b": 1}
 
 
 def test_errors_along_a_parameter_are_in_its_order() -> None:

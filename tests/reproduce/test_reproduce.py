@@ -47,7 +47,8 @@ class Fake:
         for place in ("docker", "harness", "analysis", "tests", "state", "bin"):
             (folder / place).mkdir()
         shutil.copy(ROOT / "reproduce", folder)
-        shutil.copy(ROOT / "docker" / "packages.txt", folder / "docker")
+        for packages in ("packages.txt", "packages-peers.txt"):
+            shutil.copy(ROOT / "docker" / packages, folder / "docker")
         (folder / "harness" / "sweep.py").write_text(SWEEP)
         (folder / "analysis" / "__main__.py").write_text("print('reporting')")
         (folder / "tests" / "test_one.py").write_text("def test_one(): pass\n")
@@ -100,6 +101,45 @@ def test_report_takes_profile_and_run(fake: Fake) -> None:
     code, output, _ = fake.run("report", "--profile", "tiny", "--run", "mine")
     assert (code, output[-1]) == (0, "results/mine/report/index.html")
     assert any("--profile tiny --out results/mine" in line for line in output)
+
+
+def test_report_leaves_out_wider_isas_when_told(fake: Fake) -> None:
+    code, output, _ = fake.run("report", "--isa-up-to", "avx2")
+    assert code == 0
+    swept = "--profile quick --isa-up-to avx2 --out results/quick-12345678"
+    assert any(swept in line for line in output)
+
+
+def test_peers_are_installed_built_and_named(fake: Fake) -> None:
+    fake.missing("libgeos-dev", "mypy")
+    code, output, _ = fake.run("report", "--peers")
+    assert (code, output[-1]) == (0, "results/quick-12345678-peers/report/index.html")
+    assert fake.called("apt-get")[-1].endswith(" libgeos-dev")
+    assert "cmake --preset peers" in fake.called("cmake")
+    assert any("--pitbench build-peers/pitbench" in line for line in output)
+
+
+def test_a_run_with_peers_keeps_the_name_given(fake: Fake) -> None:
+    output = fake.run("report", "--peers", "--run", "mine")[1]
+    assert output[-1] == "results/mine/report/index.html"
+
+
+def test_nothing_of_peers_is_touched_without_the_word(fake: Fake) -> None:
+    fake.missing("libgeos-dev")
+    assert fake.run("report")[0] == 0
+    assert fake.run("test")[0] == 0
+    assert fake.called("apt-get") == []
+    assert not any("peers" in line for line in fake.called("cmake", "ctest"))
+
+
+def test_peers_are_tested_when_named(fake: Fake) -> None:
+    fake.missing("libgeos-dev")
+    code, output, _ = fake.run("test", "peers")
+    assert (code, output[-1]) == (0, "7 passed, 0 failed")
+    assert fake.called("apt-get")[-1].endswith(" libgeos-dev")
+    (test,) = fake.called("ctest")
+    assert test.startswith("ctest --preset peers-tests")
+    assert not any("--preset tests" in line for line in fake.called("cmake"))
 
 
 def test_nothing_is_installed_where_nothing_is_missing(fake: Fake) -> None:
@@ -215,3 +255,50 @@ def test_the_package_list_has_no_package_twice() -> None:
     lines = (ROOT / "docker" / "packages.txt").read_text().splitlines()
     packages = [line for line in lines if line and not line.startswith("#")]
     assert len(packages) == len(set(packages)) > 20
+
+
+def a_run(fake: Fake) -> Path:
+    folder = fake.folder / "results" / "theirs"
+    folder.mkdir(parents=True)
+    (folder / "machine.json").write_text("{}")
+    return folder
+
+
+def test_a_report_of_given_results_neither_builds_nor_measures(fake: Fake) -> None:
+    folder = a_run(fake)
+    (fake.folder / "analysis" / "__main__.py").write_text(
+        "import sys; print(sys.argv[-1] + '/report/index.html')"
+    )
+    fake.missing("g++", "weasyprint", "qemu-user")
+    code, output, errors = fake.run("report", "--from", "results/theirs")
+    assert (code, errors) == (0, "")
+    assert output[-1] == f"{folder}/report/index.html"
+    assert fake.called("cmake") == []
+    assert not any("sweeping" in line for line in output)
+    # Of what is missing, only what a report needs.
+    assert fake.called("apt-get")[-1].endswith("--no-install-recommends weasyprint")
+
+
+def test_from_ends_with_what_the_report_ends_with(fake: Fake) -> None:
+    a_run(fake)
+    (fake.folder / "analysis" / "__main__.py").write_text("raise SystemExit(2)")
+    assert fake.run("report", "--from", "results/theirs")[0] == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (("--from",), "--from wants the folder"),
+        (("--from", "results/none"), "there is no folder 'results/none'"),
+        (("--from", "docker"), "'docker' is not the folder of a run"),
+        (("--from", "docker", "--profile", "full"), "--from wants the folder"),
+        (("--profile", "full", "--from", "docker"), "--from DIR stands alone"),
+    ],
+)
+def test_from_refuses_what_is_no_run(
+    fake: Fake, arguments: tuple[str, ...], says: str
+) -> None:
+    code, output, errors = fake.run("report", *arguments)
+    assert (code, output) == (2, [])
+    assert says in errors
+    assert fake.called("apt-get", "cmake") == []

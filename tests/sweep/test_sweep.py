@@ -200,3 +200,14 @@ def test_terminal_free_output_is_plain_lines(fake: FakeSweep) -> None:
     assert "\x1b" not in output and "\n\n" not in output
     assert "1/6 speed-a " in output
     assert "s left" in output
+
+
+def test_limits_run_first_and_alone(fake: FakeSweep) -> None:
+    fake.plan["shards"] = [["limits", "limits"], *SHARDS]
+    fake.plan["seconds"] = {name: 0.2 for name, _ in SHARDS} | {"limits": 0.3}
+    code, _, errors = fake.run("--jobs", "3")
+    assert (code, errors) == (0, "")
+    assert fake.started()[0] == "limits"
+    ran = intervals(fake)
+    assert not [n for n in ran if n != "limits" and overlap(ran[n], ran["limits"])]
+    assert (fake.out / "limits.json").exists()

@@ -1,0 +1,1 @@
+"""Tables, charts and chapters on right and wrong answers."""

@@ -1,0 +1,147 @@
+"""How the columns of the tables of failures are shown."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from analysis.accuracy.overview import HARD_FAMILIES, POOLED_CLASSES
+from analysis.charts import ramp
+from analysis.report import wording
+from analysis.report.columns import number, sentence, whole, with_interval, word
+from analysis.report.exhibits import Column
+from analysis.report.wording import (
+    grouped,
+    share,
+    share_between,
+    short_count,
+    short_share,
+)
+
+Row = dict[str, Any]
+
+
+def failure_rate(key: str, title: str, hint: str = "") -> Column:
+    """A rate that is coloured, "0 of N" where there is no failure, with count
+    and interval for those who point at it. A dash: not measured.
+    """
+
+    def note(row: Row) -> str:
+        nothing = row[f"{key}_of"] and not row[f"{key}_count"]
+        return f"of {short_count(row[f'{key}_of'])}" if nothing else ""
+
+    def tint(row: Row) -> str:
+        if not row[f"{key}_of"]:
+            return ""
+        if not row[f"{key}_count"]:
+            return "rate-none"
+        return f"rate{ramp.level(row[key])}"
+
+    return Column(
+        title,
+        lambda row: short_share(row[key]),
+        note,
+        sort=key,
+        hint=hint,
+        tint=tint,
+        tip=lambda row: _tip(row, key),
+    )
+
+
+def _tip(row: Row, key: str) -> str:
+    count, of = row[f"{key}_count"], row[f"{key}_of"]
+    if not of:
+        return "not measured"
+    ends = share_between(row[f"{key}_low"], row[f"{key}_high"])
+    by_rule = row.get(f"{key}_by_rule", 0)
+    more = f"; {grouped(by_rule)} more by its boundary rule" if by_rule else ""
+    return f"{grouped(count)} of {grouped(of)}: {share(row[key])} ({ends}){more}"
+
+
+def _boundary(row: Row) -> str:
+    if row["boundary_of"]:
+        return short_share(row["boundary"])
+    return str(row["boundary_rule"]).replace("_", "-")
+
+
+def _boundary_tip(row: Row) -> str:
+    said = f"{str(row['boundary_rule']).replace('_', '-')}; accepted: "
+    return said + _tip(row, "boundary_accepted")
+
+
+_BOUNDARY = failure_rate("boundary", "boundary rule broken")
+
+OVERVIEW = (
+    Column(
+        "method",
+        lambda row: str(row["method"]),
+        numeric=False,
+        tip=lambda row: f"on {row['isa']}",
+    ),
+    *(failure_rate(key, title, "wrong answers") for key, title in HARD_FAMILIES),
+    failure_rate("degenerate", "flat triangle accepted"),
+    Column(
+        _BOUNDARY.title,
+        _boundary,
+        _BOUNDARY.note,
+        sort="boundary",
+        hint="closed rejects, or open accepts; else the rule",
+        tint=_BOUNDARY.tint,
+        tip=_boundary_tip,
+    ),
+    *(failure_rate(key, title) for key, title, _ in POOLED_CLASSES),
+)
+
+FLAGS_AXIS = (
+    Column(
+        "method",
+        lambda row: f"{row['method']}{' ⚠' if row['warning'] else ''}",
+        numeric=False,
+        tint=lambda row: "warned" if row["warning"] else "",
+        tip=lambda row: str(row["warning"]),
+    ),
+    word("base", "beside"),
+    word("scalar", "scalar"),
+    word("isa", "ISA"),
+    failure_rate("base_error", "errors near an edge: without"),
+    failure_rate("error", "with"),
+    failure_rate("base_hole", "holes: without"),
+    failure_rate("hole", "with"),
+    failure_rate("base_double_hit", "double hits: without"),
+    failure_rate("double_hit", "with"),
+    with_interval("time", "time: with ÷ without"),
+)
+EXACT_ERRORS = (
+    word("method", "method"),
+    word("scalar", "scalar"),
+    whole("scenes", "scenes"),
+    whole("isas", "ISAs"),
+    whole("wrong", "wrong answers"),
+    whole("of", "of answers"),
+    Column(
+        "at most, 95 %",
+        lambda row: wording.share(row["error_rate_high"]),
+        sort="error_rate_high",
+        hint="upper end of the Wilson interval",
+    ),
+    whole("holes", "holes"),
+    whole("double_hits", "double hits"),
+    whole("queries", "of queries on meshes"),
+)
+EXACT_SPEED = (
+    word("method", "method"),
+    word("scalar", "scalar"),
+    word("isa", "ISA"),
+    word("scene", "scene"),
+    number("ns", "ns/point"),
+    with_interval("of_edge", "throughput ÷ edge_function_fma"),
+    with_interval("of_fastest", "throughput ÷ fastest inexact"),
+    word("fastest", "the fastest inexact"),
+)
+TWO_TRUTHS = (
+    word("id", "case"),
+    word("scalar", "scalar"),
+    word("binary", "of the binary numbers"),
+    word("decimal", "of the decimals typed"),
+    word("differ", "the two"),
+    sentence("source", "from"),
+)

@@ -1,0 +1,161 @@
+"""The facts of the chapters on failures, as finished phrases."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from analysis.accuracy.cost_curve import worst_words
+from analysis.accuracy.exact_tables import worst_ratios
+from analysis.accuracy.failures import smallest_examples
+from analysis.accuracy.overview import KEYS, failing_most, never_failing
+from analysis.charts import palette, ramp
+from analysis.report.method_families import in_order
+from analysis.report.report import Report
+from analysis.report.wording import (
+    between,
+    counted,
+    grouped,
+    listed,
+    share,
+    short_share,
+    significant,
+)
+
+METHODS_TEXT = Path(__file__).resolve().parents[2] / "report" / "methods.toml"
+
+
+def failure_facts(report: Report) -> dict[str, Any]:
+    """What the templates of these chapters may use."""
+    return {
+        "rate_colours": ramp.css(),
+        "overview": overview_words(report),
+        "flags": flags_words(report),
+        "failures": failures(report),
+        "exact": exact_words(report),
+        "mapped": [
+            scalar for scalar in ("f32", "f64") if report.exhibits.get(f"ulps-{scalar}")
+        ],
+        "truths_apart": sum(c.binary != c.decimal for c in report.run.maps.two_truths),
+        "truths": counted(len(report.run.maps.two_truths), "case"),
+    }
+
+
+def overview_words(report: Report) -> dict[str, Any] | None:
+    """Which methods never fail, and which way of failing is the commonest."""
+    table = report.overviews.get(report.scalar)
+    if table is None or not len(table):
+        return None
+    clean = never_failing(table)
+    whole = table[table["accepts"] == "triangle"]
+    found = {key: failing_most(table, key) for key in KEYS}
+    measured = {key: most for key, most in found.items() if most is not None}
+    return {
+        "methods": counted(len(whole), "method"),
+        "clean": listed(clean),
+        "clean_count": len(clean),
+        "classes": counted(len(measured), "way", "ways"),
+        "most": {
+            key: {"method": method, "rate": share(rate), "none": rate == 0}
+            for key, (method, rate) in measured.items()
+        },
+    }
+
+
+def flags_words(report: Report) -> dict[str, Any] | None:
+    """What multiply-add does to errors and to holes, over all methods."""
+    table = report.flags
+    table = table[(table["scalar"] == report.scalar) & (table["base"] != "–")]
+    fused = table[table["warning"] == ""]
+    if not len(table):
+        return None
+    torn = fused[(fused["base_hole_count"] == 0) & (fused["hole_count"] > 0)]
+    warned = table[table["warning"] != ""]
+    return {
+        "pairs": counted(len(fused), "method"),
+        "better": int((fused["error"] < fused["base_error"]).sum()),
+        "worse": int((fused["error"] > fused["base_error"]).sum()),
+        "torn": [
+            {
+                "method": row["base"],
+                "holes": significant(1e6 * row["hole"]),
+                "interval": between(1e6 * row["hole_low"], 1e6 * row["hole_high"]),
+            }
+            for row in torn.to_dict("records")
+        ],
+        "warned": [
+            {"method": row["method"], "warning": row["warning"]}
+            for row in warned.to_dict("records")
+        ],
+    }
+
+
+def failures(report: Report) -> list[dict[str, Any]]:
+    """Each method's failure in words, with its smallest example of this run."""
+    texts = tomllib.loads(METHODS_TEXT.read_text(encoding="utf-8"))
+    accuracy = report.run.accuracy
+    rules = dict(zip(accuracy["method"], accuracy["boundary_rule"]))
+    examples = smallest_examples(report.run.worst, rules)
+    warnings = {entry.key: entry.warning for entry in report.run.methods}
+    found = []
+    for method in in_order(accuracy["method"]):
+        example = examples.get(method)
+        found.append(
+            {
+                "key": method,
+                "colour": palette.method_style(method).colour,
+                "fails": texts.get(method, {}).get("fails", ""),
+                "warning": warnings.get(method, ""),
+                "example": example,
+                "distance": _distance(example.distance_ulps) if example else "",
+                "answers": _answers(accuracy, method),
+            }
+        )
+    return found
+
+
+def _distance(ulps: float) -> str:
+    if ulps != ulps:
+        return ""
+    return f"{significant(ulps)} ulps from the boundary"
+
+
+def _answers(accuracy: pd.DataFrame, method: str) -> str:
+    """How many of the method's answers were judged."""
+    return counted(
+        int(accuracy[accuracy["method"] == method]["points"].sum()), "answer"
+    )
+
+
+def exact_words(report: Report) -> dict[str, Any] | None:
+    """What the exact methods kept of their promise, and its price."""
+    errors, speed = report.exact_errors, report.exact_speed
+    if not len(errors):
+        return None
+    highest = errors.groupby("scalar")["error_rate_high"].max()
+    return {
+        "methods": listed(in_order(errors["method"])),
+        "wrong": int(errors["wrong"].sum()),
+        "wrong_words": grouped(int(errors["wrong"].sum())),
+        "of": counted(int(errors["of"].sum()), "answer"),
+        "scenes": counted(int(errors["scenes"].max()), "scene"),
+        "at_most": listed([f"{short_share(v)} ({s})" for s, v in highest.items()]),
+        "worst_case": worst_words(report.cost_curve),
+        "ratios": {
+            column: [
+                {
+                    "scalar": scalar,
+                    "ratio": f"{row[column]:.3f}",
+                    "interval": between(row[f"{column}_low"], row[f"{column}_high"]),
+                    "isa": row["isa"],
+                    "scene": row["scene"],
+                    "fastest": row["fastest"],
+                }
+                for scalar, row in worst_ratios(speed, column).items()
+            ]
+            for column in ("of_edge", "of_fastest")
+        },
+    }

@@ -1,0 +1,1 @@
+"""Which method a scene needs, and the error bounds that prove it."""

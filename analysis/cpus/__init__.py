@@ -1,0 +1,1 @@
+"""Several runs side by side, and those that are kept for it."""

@@ -1,0 +1,1 @@
+"""CPUs that were not measured but modelled, by llvm-mca."""

@@ -1,0 +1,1 @@
+"""The same for rays and triangles in space."""

@@ -1,0 +1,1 @@
+"""The files of a run, checked, as typed objects and data frames."""

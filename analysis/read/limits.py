@@ -1,0 +1,121 @@
+"""What the machine can do at most, by ISA and scalar (limits.json).
+
+A limit is the best that a probe reached, and also the best that any narrower
+ISA reached, since code for a wide one may use what a narrower one has; and data
+nearby is read at least as fast as data far away. So every limit is one that
+this machine kept in fact, and none is lower than another that it includes.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import math
+from typing import Final
+
+import pandas as pd
+
+# Narrowest first: what code for the last of a row may use.
+_CHAINS: Final = (
+    ("scalar", "ssse3", "sse4", "avx2", "avx512"),
+    ("scalar", "neon", "sve", "sve2"),
+)
+# A plain loop is compiled for what these ISAs have.
+_AUTOVEC: Final = {
+    "autovec_v2": "sse4",
+    "autovec_v3": "avx2",
+    "autovec_v4": "avx512",
+}
+MEMORY_COLUMNS: Final = ["isa", "scalars", "level", "access", "streams"] + [
+    "bytes_per_second",
+    "median",
+    "lowest",
+]
+OPERATION_COLUMNS: Final = ["isa", "scalar", "operation"] + [
+    "operations_per_second",
+    "median",
+    "lowest",
+]
+
+
+@dataclasses.dataclass(frozen=True)
+class Level:
+    """A place where a working set may lie."""
+
+    name: str
+    capacity: float  # bytes; infinite for the memory
+    probed: float
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Limits:
+    """levels: nearest first; memory, operations: the columns above."""
+
+    levels: tuple[Level, ...]
+    memory: pd.DataFrame
+    operations: pd.DataFrame
+    clock_ghz: float
+
+    def level_of(self, size: float) -> str:
+        """The nearest level that holds so many bytes."""
+        fitting = [level.name for level in self.levels if size <= level.capacity]
+        return fitting[0] if fitting else self.levels[-1].name
+
+    def bandwidth(
+        self, isa: str, scalar: str, level: str, access: str = "load"
+    ) -> float:
+        """Bytes a second, NaN if nothing of the kind was measured."""
+        names = [known.name for known in self.levels]
+        farther = set(names[names.index(level) :]) if level in names else set()
+        found = [
+            value
+            for (row_isa, scalars, row_level, row_access), value in self._memory.items()
+            if row_isa in includes(isa)
+            and scalar in scalars
+            and row_level in farther
+            and row_access == access
+        ]
+        return max(found, default=math.nan)
+
+    def rate(self, isa: str, scalar: str, operation: str) -> float:
+        """Operations a second, each lane one; NaN if it was not measured."""
+        found = [
+            self._operations.get((narrower, scalar, operation), math.nan)
+            for narrower in includes(isa)
+        ]
+        return max((value for value in found if value == value), default=math.nan)
+
+    def total_rate(self, isa: str, scalar: str) -> float:
+        """The most operations a second, of whatever kinds."""
+        found = [
+            value
+            for (row_isa, row_scalar, _), value in self._operations.items()
+            if row_isa in includes(isa) and row_scalar == scalar
+        ]
+        return max(found, default=math.nan)
+
+    @functools.cached_property
+    def _memory(self) -> dict[tuple[str, tuple[str, ...], str, str], float]:
+        """The best over the numbers of streams."""
+        best: dict[tuple[str, tuple[str, ...], str, str], float] = {}
+        for row in self.memory.to_dict("records"):
+            key = (row["isa"], row["scalars"], row["level"], row["access"])
+            best[key] = max(best.get(key, 0.0), row["bytes_per_second"])
+        return best
+
+    @functools.cached_property
+    def _operations(self) -> dict[tuple[str, str, str], float]:
+        return {
+            (row["isa"], row["scalar"], row["operation"]): row["operations_per_second"]
+            for row in self.operations.to_dict("records")
+        }
+
+
+@functools.cache
+def includes(isa: str) -> tuple[str, ...]:
+    """The ISAs whose instructions code for `isa` may use, itself included."""
+    own = _AUTOVEC.get(isa, isa)
+    for chain in _CHAINS:
+        if own in chain:
+            return chain[: chain.index(own) + 1]
+    return (own,)

@@ -1,0 +1,91 @@
+"""The words of the chapter on the machine's limits: phrases made of the data."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pandas as pd
+
+from analysis.read.limits import Limits
+from analysis.report.wording import counted, listed, nanoseconds, significant
+from analysis.speed import limit_columns
+from analysis.speed.bounds import ALL, beaten
+from analysis.speed.tables import reference_cells, widest_isa
+from analysis.trust.noise import TOLERANCE
+
+
+def limit_facts(
+    limits: Limits | None, cells: pd.DataFrame, scalar: str, loop: str
+) -> dict[str, Any] | None:
+    """None where the run has no limits."""
+    if limits is None:
+        return None
+    rows = reference_cells(cells, scalar, loop)
+    isa = widest_isa(rows)
+    rows = rows[rows["isa"] == isa]
+    wrong = beaten(cells)
+    with_counts = int(cells["compute_ns"].notna().sum())
+    rate = {
+        kind: limits.rate(str(isa), scalar, kind)
+        for kind in ("add", "multiply_add", "mixed")
+    }
+    return {
+        "isa": isa,
+        "bandwidths": listed(
+            [
+                f"{significant(value / 1e9)} GB/s from {level.name}"
+                for level in limits.levels
+                if (value := limits.bandwidth(str(isa), scalar, level.name)) == value
+            ]
+        ),
+        "rates": listed(
+            [
+                f"{significant(value / 1e9)} billion {words}"
+                for words, value in (
+                    ("additions", rate["add"]),
+                    ("multiply-adds", rate["multiply_add"]),
+                    ("of both in equal parts", rate["mixed"]),
+                )
+                if value == value
+            ]
+        ),
+        "cells": counted(len(cells), "cell"),
+        "with_counts": with_counts,
+        "without_counts": len(cells) - with_counts,
+        "without_words": counted(len(cells) - with_counts, "cell"),
+        "tolerance": f"{100 * TOLERANCE:.0f} %",
+        "beaten": len(wrong),
+        "beaten_words": counted(len(wrong), "cell"),
+        "beaten_methods": listed(sorted(set(wrong["method"]))),
+        "fastest": _reached(rows, rows["ns"].idxmin()) if len(rows) else None,
+        "nearest": _nearest(rows),
+        "loop": loop,
+    }
+
+
+def _reached(rows: pd.DataFrame, index: Any) -> dict[str, Any]:
+    row = rows.loc[index].to_dict()
+    kind = str(row["bound_of"])
+    by = (
+        f"loads from {kind}"
+        if row["bound_by"] == "memory"
+        else (
+            "the number of its operations"
+            if kind == ALL
+            else f"its operations of the kind “{limit_columns.OPERATIONS[kind]}”"
+        )
+    )
+    return {
+        "method": row["method"],
+        "ns": nanoseconds(row["ns"]),
+        "bound": nanoseconds(row["bound_ns"]),
+        "by": by,
+        "of_limit": f"{significant(100 * row['of_limit'])} %",
+        "beaten": bool(row["beaten"]),
+    }
+
+
+def _nearest(rows: pd.DataFrame) -> dict[str, Any] | None:
+    """The method nearest to its bound, of those with a sound and whole one."""
+    sound = rows[~rows["beaten"].astype(bool) & rows["compute_ns"].notna()]
+    return _reached(rows, sound["of_limit"].idxmax()) if len(sound) else None

@@ -1,0 +1,58 @@
+#include "harness/limits/limits.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "harness/command/arguments.h"
+#include "harness/command/commands.h"
+#include "harness/command/output.h"
+#include "harness/input/csv.h"
+#include "harness/measure/clock.h"
+#include "harness/measure/machine.h"
+#include "harness/measure/speed.h"
+
+namespace pitbench {
+namespace {
+
+void Limits(const Arguments& a) {
+  // A fourth of a speed sample: a probe's loop is short, and there are many.
+  const double seconds =
+      std::min(FindProfile(a.profile).seconds_per_sample / 4, 5e-3);
+  const std::regex filter = Filter(a.filter);
+  OutputFile out(a.out);
+  const int cpu = PinToLastCpu();
+  const nlohmann::json machine = DescribeMachine(a.seed);
+  const std::vector<MemoryLevel> levels =
+      MemoryLevels(DataCaches(machine.at("cpu").at("caches")),
+                   machine.at("memory_bytes").get<std::size_t>());
+  const double clock_before = ClockGhz();
+  nlohmann::json file = MeasureLimits(levels, filter, seconds, kRepetitions);
+  const std::size_t count = file["memory"].size() + file["operations"].size();
+  if (count == 0) {
+    throw InputError("no limit that can be measured here fits --filter '" +
+                     a.filter +
+                     "'; one is named operation/scalar/isa, e.g. add/f32/avx2, "
+                     "or load/level/isa");
+  }
+  file["context"] = Context("pitbench-limits-1", a);
+  file["context"].update({{"cpu", cpu},
+                          {"clock_before_ghz", clock_before},
+                          {"clock_after_ghz", ClockGhz()},
+                          {"seconds_per_sample", seconds},
+                          {"repetitions", kRepetitions}});
+  out.Commit(file.dump(1) + "\n");
+  std::cerr << a.out << ": " << count << " limits\n";
+}
+
+}  // namespace
+
+void AddLimits(CLI::App& app) {
+  CLI::App* limits = app.add_subcommand(
+      "limits",
+      "What this machine can do at most: bandwidth of caches and memory, and\n"
+      "operations a second, for each instruction set and scalar");
+  const std::shared_ptr<Arguments> arguments = AddArguments(*limits);
+  limits->callback([a = arguments] { Limits(*a); });
+}
+
+}  // namespace pitbench

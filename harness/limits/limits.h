@@ -1,0 +1,54 @@
+// What this machine can do at most: bandwidth of each cache level and of
+// memory, and arithmetic operations a second, for each ISA and scalar.
+//
+// Three things mislead.
+//   - A limit is what the machine can do, so it is the best of the repetitions
+//     and not their median: whatever disturbs makes a sample slower, nothing
+//     makes it faster. The median is kept as well, to show how far apart.
+//   - A disturbance lasts longer than a sample. The repetitions of a probe are
+//     therefore spread over the whole measurement: all probes once, then all
+//     of them again.
+//   - How many arrays are read at once changes what the prefetchers deliver;
+//     loads are measured with one, two and six, as the loops of the kernels
+//     read them. The limit is the largest.
+#ifndef PITBENCH_HARNESS_LIMITS_LIMITS_H_
+#define PITBENCH_HARNESS_LIMITS_LIMITS_H_
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace pitbench {
+
+// A place where a working set may lie.
+struct MemoryLevel {
+  std::string name;      // "L1", "L2", …, "DRAM"
+  std::size_t capacity;  // in bytes; 0: DRAM, which holds everything
+  std::size_t probed;    // size of the set that is walked to measure it
+};
+
+// The levels of a machine by the sizes of its data caches, smallest first, and
+// of its memory. Half of a cache is walked, but of the last level the geometric
+// mean of its size and the one before, since of a cache that cores (or virtual
+// machines) share nobody knows one's share; of memory four times the last
+// level, within reason.
+std::vector<MemoryLevel> MemoryLevels(const std::vector<std::size_t>& caches,
+                                      std::size_t memory);
+
+// The sizes of the data caches in machine.json's `cpu.caches`, in the order of
+// their levels; those of common CPUs where the system does not tell.
+std::vector<std::size_t> DataCaches(const nlohmann::json& caches);
+
+// Measures the probes that run here and whose name (`add/f32/avx2`,
+// `load/L1/avx2`) the filter finds. A sample lasts about `seconds`. Returns the
+// members `levels`, `memory` and `operations` of limits.json
+// (harness/schema/limits.schema.json).
+nlohmann::json MeasureLimits(const std::vector<MemoryLevel>& levels,
+                             const std::regex& filter, double seconds,
+                             int repetitions);
+
+}  // namespace pitbench
+
+#endif  // PITBENCH_HARNESS_LIMITS_LIMITS_H_

@@ -1,0 +1,355 @@
+// Filters of the exact methods: float arithmetic that decides nearly every
+// point for certain and knows where it does not.
+//
+// A filter gives each item a margin: above t it is inside, below −t it is not,
+// and between nothing is decided. Where the sign bits of a vector are had for
+// one instruction and the smaller magnitude is not, margins are shifted up by
+// t: a sign bit says outside, and above 2t is inside (kShifted).
+//
+// Two filters are static: a bound on the error of what is computed for a point,
+// known once for a triangle and good for every finite point, so that a point
+// costs what it costs without a bound. SlopeFilter takes the edges as lines and
+// is the cheapest; AreaFilter takes edge functions and serves where a line
+// would be too steep. Where a triangle is so thin or so far away that neither
+// bound says anything, and where each lane has a triangle of its own,
+// DeterminantMargin bounds the error of each determinant by its products.
+#if defined(PITBENCH_KERNELS_LOOPS_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PITBENCH_KERNELS_LOOPS_FILTERS_INL_H_
+#undef PITBENCH_KERNELS_LOOPS_FILTERS_INL_H_
+#else
+#define PITBENCH_KERNELS_LOOPS_FILTERS_INL_H_
+#endif
+
+#include "kernels/edge_lines-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+inline constexpr bool kShifted = true;
+// The lanes whose sign bit is set.
+template <class V>
+HWY_INLINE auto SignMask(V v) {
+  return hn::MaskFromVec(v);
+}
+#else
+inline constexpr bool kShifted = false;
+template <class V>
+HWY_INLINE auto SignMask(V v) {
+  return Lt(v, Sub(v, v));
+}
+#endif
+
+// |x| of a number; std::abs would be an inline function that ISAs share.
+HWY_INLINE Number<double> Magnitude(Number<double> x) { return x < 0 ? -x : x; }
+
+// The edge functions of one triangle, turned so that they are positive inside,
+// and a bound on their errors.
+//
+//   e0 = a0·x + b0·y + c0,  e1 likewise,  e2 = k − e0 − e1
+//
+// where k is twice the area. Claim: with m = min(e0, e1, e2) as computed,
+// m > t only inside the triangle and m < −t only outside it, for all finite
+// points.
+//
+// Let u be T's unit roundoff, X and Y the largest |x| and |y| of the vertices,
+// S_j = |a_j|·X + |b_j|·Y and P the two products of k in magnitude. For a point
+// with weights w let σ = Σ|w|, so |x| ≤ σX, |y| ≤ σY and |e_j| ≤ σk. Rounding
+// a_j and b_j costs u·σS_j, the products and sums of e_j at most u·(3S_j + k)σ,
+// and c_j: S_j·u where it is rounded from double (f32), else 3u·S_j, of which
+// what is lost by |y| ≤ σY is already part. In e2 come two sums, 2u·σk, and the
+// error of k: u·k, or 4u·P. Together
+//   |error| ≤ σt   with t = u·(5.5·(S_0 + S_1) + 5.5·k)               for f32,
+//                       t = u·(8.5·(S_0 + S_1) + 5.5·k + 4.5·P)       for f64,
+// in which the halves pay for terms of order u², and the smallest normal number
+// is added for what underflows. Shifted, c_j has t added and k 3t, so that all
+// three e are t larger; for f64 these are rounded once more, for u·S_j and u·k.
+//
+// Inside σ = 1, so no e is as low as −t. Outside, the negative weights sum to
+// −N, σ = 1 + 2N, and one of at most two has w ≤ −N/2: its e is computed below
+// −N·k/2 + t·(1 + 2N), which is less than t where k > 4t. The code asks for 6t.
+//
+// Overflow: points in the triangle keep all terms below 2·(S_0 + S_1 + k),
+// which is asked to be an eighth of the largest number. So an e that overflows
+// belongs to a point outside; if e0 or e1 is +∞, e2 is −∞ or NaN; and m is NaN
+// where e2 is, which is never inside.
+template <class T>
+struct AreaFilter {
+  Number<T> a0, b0, c0, a1, b1, c1, k;
+  T inside_above;
+  bool holds;  // the claim; else this filter may not be used
+
+  HWY_INLINE explicit AreaFilter(const Corners<T>& v) {
+    constexpr bool kFloat = std::is_same_v<T, float>;
+    constexpr double kUnit = std::numeric_limits<T>::epsilon() / 2;
+    const Number<double> ax = v.ax, ay = v.ay;
+    const Number<double> bx = v.bx, by = v.by;
+    const Number<double> cx = v.cx, cy = v.cy;
+    const Number<double> left = (bx - ax) * (cy - ay);
+    const Number<double> right = (by - ay) * (cx - ax);
+    const Number<double> area = left - right;
+    const Number<double> sign = area < 0 ? -1 : 1;
+    const Number<double> a0_wide = (ay - by) * sign;
+    const Number<double> b0_wide = (bx - ax) * sign;
+    const Number<double> a1_wide = (by - cy) * sign;
+    const Number<double> b1_wide = (cx - bx) * sign;
+    const Number<double> x =
+        HWY_MAX(HWY_MAX(Magnitude(ax), Magnitude(bx)), Magnitude(cx));
+    const Number<double> y =
+        HWY_MAX(HWY_MAX(Magnitude(ay), Magnitude(by)), Magnitude(cy));
+    const Number<double> edges = (Magnitude(a0_wide) + Magnitude(a1_wide)) * x +
+                                 (Magnitude(b0_wide) + Magnitude(b1_wide)) * y;
+    const Number<double> size = edges + area * sign;
+    const Number<double> products = Magnitude(left) + Magnitude(right);
+    const double more = kShifted ? 1 : 0;
+    const Number<double> bound = kFloat ? 5.5 * size
+                                        : (8.5 + more) * edges +
+                                              (5.5 + more) * (area * sign) +
+                                              4.5 * products;
+    // As T has it, so that all uses of it agree.
+    const Number<T> t = static_cast<Number<T>>(
+        kUnit * bound + static_cast<double>(std::numeric_limits<T>::min()));
+    const Number<double> shift =
+        kShifted ? static_cast<Number<double>>(t) : Number<double>(0);
+    a0 = static_cast<Number<T>>(a0_wide);
+    b0 = static_cast<Number<T>>(b0_wide);
+    c0 = static_cast<Number<T>>(shift - (a0_wide * ax + b0_wide * ay));
+    a1 = static_cast<Number<T>>(a1_wide);
+    b1 = static_cast<Number<T>>(b1_wide);
+    c1 = static_cast<Number<T>>(shift - (a1_wide * bx + b1_wide * by));
+    k = static_cast<Number<T>>(area * sign + 3 * shift);
+    inside_above = static_cast<T>(kShifted ? 2 * t : t);
+    // An area that is NaN fails both.
+    holds = size < static_cast<double>(std::numeric_limits<T>::max()) / 8 &&
+            static_cast<Number<T>>(area * sign) >= 6 * t;
+  }
+
+  template <class D>
+  HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
+    const auto e0 = MulAdd(Set(d, a0), x, MulAdd(Set(d, b0), y, Set(d, c0)));
+    const auto e1 = MulAdd(Set(d, a1), x, MulAdd(Set(d, b1), y, Set(d, c1)));
+    return MinOrSecond(hn::Min(e0, e1), Sub(Sub(Set(d, k), e0), e1));
+  }
+};
+
+// Whether lines over y are likely to be less steep than lines over x: where
+// some edge reaches less far along x than any does along y, vertical and
+// horizontal ones apart. A guess that spares divisions; no answer depends on
+// it.
+template <class T>
+HWY_INLINE bool BetterOverY(const Corners<T>& v) {
+  Number<double> least_run = std::numeric_limits<double>::infinity();
+  Number<double> least_rise = std::numeric_limits<double>::infinity();
+  const auto see = [&](Number<double> run, Number<double> rise) {
+    run = Magnitude(run);
+    rise = Magnitude(rise);
+    if (run > 0) least_run = HWY_MIN(least_run, run);
+    if (rise > 0) least_rise = HWY_MIN(least_rise, rise);
+  };
+  see(Number<double>(v.bx) - Number<double>(v.ax),
+      Number<double>(v.by) - Number<double>(v.ay));
+  see(Number<double>(v.cx) - Number<double>(v.bx),
+      Number<double>(v.cy) - Number<double>(v.by));
+  see(Number<double>(v.ax) - Number<double>(v.cx),
+      Number<double>(v.ay) - Number<double>(v.cy));
+  return least_run < least_rise;
+}
+
+// The edges of one triangle as lines over x, and a bound on their errors. The
+// margin of a point is the least of its distances along y from the lines, and
+// from a vertical edge along x.
+//
+// Claim as for AreaFilter: the margin is above t only inside the triangle and
+// below −t only outside it, for all finite points.
+//
+// Let S and C be a line's exact slope and constant, s and c what T keeps of
+// them, X, Y, w and σ as there, so |C| ≤ |S|·X + Y. For f32, s and c are
+// rounded from double, and l = s·x + c is at most
+//   u·(|S·x| + |C|) + u·|S·x| + u·(|S·x| + |C|) ≤ σ·u·(5·|S|·X + 2·Y)
+// off (with FMA less). For f64, s is off by 3u·|S|, c by u·(5·|S|·X + Y), and
+// together it is σ·u·(11·|S|·X + 2·Y); shifted, c is rounded once more, for
+// u·(|S|·X + Y). That y − l is rounded changes nothing: rounding is monotone
+// and t a number of type T. The distance from a vertical edge has the right
+// sign. t is the largest of the three bounds, halves added for terms of order
+// u², and the smallest normal number times 1 + X for what underflows.
+//
+// Inside σ = 1, so no margin is as low as −t. Outside, as there, one w is at
+// most −N/2 with σ = 1 + 2N. Its distance is w·H, where H is how far the
+// triangle reaches from that edge along y: it is computed below −N·H/2 + t·(1 +
+// 2N), so below t where H > 4t. The code asks for 12t of an H that may be 4t
+// off. A vertical edge's is negative.
+//
+// Overflow: with |S| below the largest number and |S|·X + Y below a 512th of it
+// no line overflows for points in the triangle, and beside a line that does, a
+// y on its wrong side would have to be within t of the largest number. Infinite
+// x: lines below and above are infinite in the wrong order or equal to y, so
+// that a distance is −∞ or NaN; MinOrSecond keeps the NaN of the two lines that
+// are taken together.
+template <class T>
+struct SlopeFilter {
+  struct Line {
+    Number<T> s, c;
+
+    template <class D>
+    HWY_INLINE Vec<D> At(D d, Vec<D> x) const {
+      return MulAdd(Set(d, s), x, Set(d, c));
+    }
+  };
+
+  // Margins for each way in which the lines may lie.
+  struct TwoBelow {
+    Line below0, below1, above;
+    template <class D>
+    HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
+      const auto most = hn::Max(below0.At(d, x), below1.At(d, x));
+      return MinOrSecond(Sub(above.At(d, x), y), Sub(y, most));
+    }
+  };
+  struct TwoAbove {
+    Line above0, above1, below;
+    template <class D>
+    HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
+      const auto least = hn::Min(above0.At(d, x), above1.At(d, x));
+      return MinOrSecond(Sub(y, below.At(d, x)), Sub(least, y));
+    }
+  };
+  struct OneVertical {
+    Line below, above;
+    Number<T> sign,
+        offset;  // the distance from the vertical edge: sign·x + offset
+    template <class D>
+    HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
+      const auto across = Add(Mul(Set(d, sign), x), Set(d, offset));
+      return MinOrSecond(hn::Min(Sub(above.At(d, x), y), across),
+                         Sub(y, below.At(d, x)));
+    }
+  };
+
+  T inside_above;
+  bool holds;
+
+  HWY_INLINE explicit SlopeFilter(const Corners<T>& v)
+      : SlopeFilter(v, Area(v)) {}
+
+  // Calls use(margin) with the one that the triangle has.
+  template <class Use>
+  HWY_INLINE void Choose(const Use& use) const {
+    const auto& below = lines_.below;
+    const auto& above = lines_.above;
+    if (lines_.below_count == 2) {
+      use(TwoBelow{Below(below[0]), Below(below[1]), Above(above[0])});
+    } else if (lines_.above_count == 2) {
+      use(TwoAbove{Above(above[0]), Above(above[1]), Below(below[0])});
+    } else {
+      const Number<double> sign = lines_.right_of_vertical ? 1 : -1;
+      use(OneVertical{
+          Below(below[0]), Above(above[0]), static_cast<Number<T>>(sign),
+          static_cast<Number<T>>(shift_ - sign * lines_.vertical_x)});
+    }
+  }
+
+ private:
+  HWY_INLINE SlopeFilter(const Corners<T>& v, Number<double> area)
+      : lines_(v, area < 0 ? -1 : 1) {
+    constexpr bool kFloat = std::is_same_v<T, float>;
+    constexpr double kUnit = std::numeric_limits<T>::epsilon() / 2;
+    constexpr double kMin = std::numeric_limits<T>::min();
+    constexpr double kMax = std::numeric_limits<T>::max();
+    const Number<double> x = MostOf(v.ax, v.bx, v.cx);
+    const Number<double> y = MostOf(v.ay, v.by, v.cy);
+    Number<double> steepest = 0;
+    for (int k = 0; k < lines_.below_count; ++k) {
+      steepest = HWY_MAX(steepest, Magnitude(lines_.below[k].s));
+    }
+    for (int k = 0; k < lines_.above_count; ++k) {
+      steepest = HWY_MAX(steepest, Magnitude(lines_.above[k].s));
+    }
+    const double more = kShifted && !kFloat ? 1 : 0;
+    const Number<double> bound =
+        kUnit *
+            (((kFloat ? 5.5 : 11.5) + more) * steepest * x + (2.5 + more) * y) +
+        kMin * (1 + x);
+    const Number<T> t = static_cast<Number<T>>(bound);
+    // The widest edge along x has the least reach along y.
+    const Number<double> width =
+        HWY_MAX(HWY_MAX(Magnitude(Number<double>(v.bx) - Number<double>(v.ax)),
+                        Magnitude(Number<double>(v.cx) - Number<double>(v.bx))),
+                Magnitude(Number<double>(v.ax) - Number<double>(v.cx)));
+    const Number<double> reach = Magnitude(area) / width;
+    shift_ = kShifted ? static_cast<Number<double>>(t) : Number<double>(0);
+    inside_above = static_cast<T>(kShifted ? 2 * t : t);
+    holds = steepest < kMax && steepest * x + y < kMax / 512 &&
+            reach * kMostUndecided >= bound && reach < kMax;
+  }
+
+  // Where t is a larger share of the triangle's reach, more points are left
+  // undecided than the cheaper margin gains; it is far below a twelfth.
+  static constexpr double kMostUndecided = 0x1p-16;
+
+  static HWY_INLINE Number<double> Area(const Corners<T>& v) {
+    const Number<double> ax = v.ax, ay = v.ay;
+    return (v.bx - ax) * (v.cy - ay) - (v.by - ay) * (v.cx - ax);
+  }
+  static HWY_INLINE Number<double> MostOf(Number<double> a, Number<double> b,
+                                          Number<double> c) {
+    return HWY_MAX(HWY_MAX(Magnitude(a), Magnitude(b)), Magnitude(c));
+  }
+  HWY_INLINE Line Below(const EdgeLines::Line& line) const {
+    return {static_cast<Number<T>>(line.s),
+            static_cast<Number<T>>(line.c - shift_)};
+  }
+  HWY_INLINE Line Above(const EdgeLines::Line& line) const {
+    return {static_cast<Number<T>>(line.s),
+            static_cast<Number<T>>(line.c + shift_)};
+  }
+
+  EdgeLines lines_;
+  Number<double> shift_;
+};
+
+// The margin of points that each have a triangle of their own: +1, −1 or an
+// undecided +0, whether shifted or not. Each determinant (v − p) × (w − p) has
+// a bound of its own, 4u·(|l| + |r|) and the smallest normal number (see
+// exact/contains.cc). Inside where all three are certainly of one sign; outside
+// where two certainly differ.
+template <class D>
+HWY_INLINE Vec<D> DeterminantMargin(D d, const Triangles<D>& t, Vec<D> x,
+                                    Vec<D> y) {
+  using T = TFromD<D>;
+  const auto ax = Sub(t.Ax(), x);
+  const auto ay = Sub(t.Ay(), y);
+  const auto bx = Sub(t.Bx(), x);
+  const auto by = Sub(t.By(), y);
+  const auto cx = Sub(t.Cx(), x);
+  const auto cy = Sub(t.Cy(), y);
+  const auto zero = Zero(d);
+  const auto four_u = Set(d, 2 * std::numeric_limits<T>::epsilon());
+  const auto least_normal = Set(d, std::numeric_limits<T>::min());
+  const auto certain = [&](Vec<D> vx, Vec<D> vy, Vec<D> wx,
+                           Vec<D> wy) HWY_ATTR {
+    const auto left = Mul(vx, wy);
+    const auto right = Mul(vy, wx);
+    const auto det = Sub(left, right);
+    const auto bound =
+        Add(Mul(four_u, Add(Abs(left), Abs(right))), least_normal);
+    return hn::IfThenElseZero(Gt(Abs(det), bound), det);
+  };
+  const auto ab = certain(ax, ay, bx, by);
+  const auto bc = certain(bx, by, cx, cy);
+  const auto ca = certain(cx, cy, ax, ay);
+  const auto least = hn::Min(hn::Min(ab, bc), ca);
+  const auto most = hn::Max(hn::Max(ab, bc), ca);
+  const auto one = Set(d, T{1});
+  const auto outside = And(Lt(least, zero), Gt(most, zero));
+  const auto inside = Or(Gt(least, zero), Lt(most, zero));
+  // By masks alone: SSE4 blends in two instructions what it masks in one.
+  return Or(hn::IfThenElseZero(inside, one),
+            hn::IfThenElseZero(outside, Sub(zero, one)));
+}
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard that Highway toggles
