@@ -88,16 +88,16 @@ class _Compiler:
         return lambda value: not isinstance(value, str) or len(value) >= least
 
     def _minimum(self, least: float, _: Any) -> Check:
-        return lambda value: not _is_number(value) or value >= least
+        return lambda value: not _is_number(value) or not value < least
 
     def _maximum(self, most: float, _: Any) -> Check:
-        return lambda value: not _is_number(value) or value <= most
+        return lambda value: not _is_number(value) or not value > most
 
     def _exclusiveMinimum(self, bound: float, _: Any) -> Check:
-        return lambda value: not _is_number(value) or value > bound
+        return lambda value: not _is_number(value) or not value <= bound
 
     def _exclusiveMaximum(self, bound: float, _: Any) -> Check:
-        return lambda value: not _is_number(value) or value < bound
+        return lambda value: not _is_number(value) or not value >= bound
 
     def _minItems(self, least: int, _: Any) -> Check:
         return lambda value: not isinstance(value, list) or len(value) >= least

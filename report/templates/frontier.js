@@ -258,9 +258,12 @@
     section.hidden = false;
     for (const name of ["family", "isa"]) pick(name).addEventListener("change", draw);
     pick("scalar").addEventListener("change", () => { offerIsas(); offerFamilies(); draw(); });
-    let width = 0;
-    new ResizeObserver(() => {
+    let width = plot.clientWidth;
+    draw();
+    // In the next frame: a drawing has a height of its own, and to resize what is
+    // observed while it is reported is an error.
+    new ResizeObserver(() => requestAnimationFrame(() => {
       if (plot.clientWidth !== width) { width = plot.clientWidth; draw(); }
-    }).observe(plot);
+    })).observe(plot);
   }
 }
