@@ -14,7 +14,7 @@ from markupsafe import Markup
 
 from analysis.charts.chart_font import font_faces
 from analysis.report.exhibits import Exhibits, csv_text
-from analysis.report.formula import formula
+from analysis.report.formula import on_page, on_paper
 from analysis.report.frontier_data import frontier_data, script_text
 from analysis.report.page_order import CONTENTS, numbered, with_contents
 from analysis.report.prose import facts
@@ -55,7 +55,7 @@ def filled(
         keep_trailing_newline=True,
     )
     environment.filters["inline_svg"] = _inline_svg
-    environment.filters["formula"] = formula
+    environment.filters["formula"] = on_paper if words.get("paper") else on_page
     environment.globals["ref"] = lambda key: _reference(shown, every, key)
     environment.globals["exhibit"] = shown.get
     environment.globals["contents"] = CONTENTS

@@ -25,9 +25,9 @@ const std::vector<FamilyInfo>& Families() {
   static const std::vector<FamilyInfo> families = {
       {"uniform", "hit:bytes|n:sets",
        "Points uniform in the unit square, triangles that cover hit percent of "
-       "it; a call reads about `bytes`, or has n items. sets=fresh (as without "
-       "it) takes another triangle, for one_point and pairs other points, at "
-       "every call; sets=fixed always the same."},
+       "it; a call reads about so many bytes, or has n items. sets=fresh (as "
+       "without it) takes another triangle, for one_point and pairs other "
+       "points, at every call; sets=fixed always the same."},
       {"near_edge", "ulps:sets",
        "Points rounded onto an edge of a well-shaped triangle in the unit "
        "square and then moved off it by this many representable numbers."},
@@ -77,23 +77,20 @@ const std::vector<FamilyInfo>& Families() {
       {"rays_uniform", "hit:bytes|n:sets",
        "Rays through one point in directions about (1, 1, 1), from anywhere "
        "behind it; triangles that hit percent of them meet. bytes, n and sets "
-       "as "
-       "for uniform, with a ray for the point."},
+       "as for uniform, with a ray for the point."},
       {"rays_near_edge", "ulps:sets",
        "Rays to a point rounded onto an edge of a well-shaped triangle in the "
        "unit cube and then moved across it by this many representable "
        "numbers."},
       {"rays_near_vertex", "ulps:sets",
        "Rays to a point this many representable numbers away from a vertex of "
-       "a "
-       "well-shaped triangle in the unit cube."},
+       "a well-shaped triangle in the unit cube."},
       {"rays_grazing", "exponent:sets",
        "Rays at an angle of about 2^-exponent to the triangle's plane, exactly "
        "drawn, that meet it in the triangle and beside it."},
       {"rays_needle", "aspect:sets",
        "Triangles of length 1 and altitude 2^-aspect in any direction in "
-       "space; "
-       "rays to points around them within twice their altitude."},
+       "space; rays to points around them within twice their altitude."},
       {"rays_far_origin", "exponent:sets",
        "Rays of length 1 from 2^exponent away to points in a well-shaped "
        "triangle in the unit cube and around it."},

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from analysis.report.formula import formula
 from analysis.report.page_order import (
     CONTENTS,
     numbered,
@@ -37,14 +36,3 @@ def test_the_contents_are_the_headings_by_part() -> None:
     ]
     made = with_contents(page)
     assert '<a href="#isa">Sets</a>' in made and "Empty" not in made
-
-
-def test_names_in_a_formula_are_set_as_names() -> None:
-    assert formula("ex·(y − vy) ≥ 0 by a line") == (
-        "<i>e</i><sub>x</sub>·(<i>y</i> − <i>v</i><sub>y</sub>) ≥ 0 by a line"
-    )
-    assert formula("a·x, p_y, pₓ, E1/δ") == (
-        "<i>a</i>·<i>x</i>, <i>p</i><sub>y</sub>, <i>p</i><sub>x</sub>, "
-        "<i>E</i><sub>1</sub>/<i>δ</i>"
-    )
-    assert formula("Kahan's <b> > 0") == "Kahan&#39;s &lt;b&gt; &gt; 0"
