@@ -9,9 +9,10 @@ against each other on spoilt documents.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Final
 
 Check = Callable[[Any], bool]
 
@@ -49,10 +50,7 @@ class _Compiler:
             checks.append(make(schema[keyword], schema))
         if any(keyword in schema for keyword in _OBJECT_KEYWORDS):
             checks.append(self._object(schema))
-        if len(checks) == 1:
-            return checks[0]
-        every = tuple(checks)
-        return lambda value: all(check(value) for check in every)
+        return _both(checks)
 
     def _ref(self, name: str, _: Any) -> Check:
         if name not in self._named:
@@ -66,10 +64,10 @@ class _Compiler:
 
     def _type(self, names: Any, _: Any) -> Check:
         wanted = [names] if isinstance(names, str) else names
-        checks = [_TYPES[name] for name in wanted]
-        if len(checks) == 1:
-            return checks[0]
-        return lambda value: any(check(value) for check in checks)
+        types = frozenset(kind for name in wanted for kind in _TYPES[name])
+        if "integer" in wanted and "number" not in wanted:  # 2.0 is one too
+            return lambda value: type(value) in types or _is_whole(value)
+        return lambda value: type(value) in types
 
     def _const(self, wanted: Any, _: Any) -> Check:
         return lambda value: _same(value, wanted)
@@ -107,7 +105,20 @@ class _Compiler:
 
     def _items(self, schema: Any, _: Any) -> Check:
         each = self.check(schema)
-        return lambda value: not isinstance(value, list) or all(map(each, value))
+        if not isinstance(schema, dict) or not schema.keys() <= _OF_NUMBERS:
+            return lambda value: not isinstance(value, list) or all(map(each, value))
+        # Numbers within bounds: those at both ends stand for all between them,
+        # and a sum of floats tells that no NaN is among them.
+        plain: set[type] = {int} if schema.get("type") == "integer" else {int, float}
+
+        def numbers(value: Any) -> bool:
+            if not isinstance(value, list) or not value:
+                return True
+            if not plain.issuperset(map(type, value)) or not math.isfinite(sum(value)):
+                return all(map(each, value))
+            return each(min(value)) and each(max(value))
+
+        return numbers
 
     def _uniqueItems(self, wanted: bool, _: Any) -> Check:
         def check(value: Any) -> bool:
@@ -164,14 +175,22 @@ class _Compiler:
 _OBJECT_KEYWORDS = ("properties", "required", "additionalProperties")
 
 
+def _both(checks: list[Check]) -> Check:
+    """Whether a value fits all of them."""
+    if not checks:
+        return lambda value: True
+    if len(checks) == 1:
+        return checks[0]
+    first, rest = checks[0], _both(checks[1:])
+    return lambda value: first(value) and rest(value)
+
+
 def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
+    return type(value) is int or type(value) is float
 
 
-def _is_integer(value: Any) -> bool:
-    if isinstance(value, float):
-        return value.is_integer()
-    return isinstance(value, int) and not isinstance(value, bool)
+def _is_whole(value: Any) -> bool:
+    return type(value) is float and value.is_integer()
 
 
 def _same(one: Any, other: Any) -> bool:
@@ -185,12 +204,17 @@ def _same(one: Any, other: Any) -> bool:
     return bool(one == other)
 
 
-_TYPES: dict[str, Check] = {
-    "null": lambda value: value is None,
-    "boolean": lambda value: isinstance(value, bool),
-    "integer": _is_integer,
-    "number": _is_number,
-    "string": lambda value: isinstance(value, str),
-    "array": lambda value: isinstance(value, list),
-    "object": lambda value: isinstance(value, dict),
+# What a list of numbers may be asked for one number at a time.
+_OF_NUMBERS: Final = _NOTES | {
+    *("type", "minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum")
+}
+# As json.loads() makes them.
+_TYPES: Final[dict[str, tuple[type, ...]]] = {
+    "null": (type(None),),
+    "boolean": (bool,),
+    "integer": (int,),
+    "number": (int, float),
+    "string": (str,),
+    "array": (list,),
+    "object": (dict,),
 }
