@@ -1,6 +1,7 @@
 #include "harness/measure/operations.h"
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -21,12 +22,17 @@ using counting::kKinds;
 // As many items as the longest stretch that any loop of f32 on AVX-512 works
 // off at once, so that n and 2n items differ by whole ones.
 constexpr std::size_t kItems = 128;
+// In scenes of n=256.
+static_assert(2 * kItems == 256);
 
 // What one call on the first n items of the scene takes. K and S are a kernel
 // and a scene of points or of rays.
 template <class K, class S>
 counting::Operations CountOf(const K& kernel, S scene, std::size_t n) {
   scene.calls.resize(1);
+  if (n > scene.calls.front().n) {
+    throw std::logic_error("a call of the scene has fewer items");
+  }
   scene.calls.front().n = n;
   Answers<typename S::Coordinate> answers;
   CurrentTape().Clear();
@@ -57,7 +63,7 @@ CountedKernel Counted(const Kernel& kernel) {
   const std::string_view name = grid ? "grid_80x50:sets=fixed"
                                 : std::is_integral_v<T>
                                     ? "grid_points_80x50:sets=fixed"
-                                    : "uniform:hit=50:bytes=24k:sets=fixed";
+                                    : "uniform:hit=50:n=256:sets=fixed";
   return CountedOn(kernel,
                    MakeScene<T>(ParseScene(name), kernel.loop,
                                 {.groups = 1, .size = 2 * n}, kDefaultSeed),
@@ -68,7 +74,7 @@ template <class T>
 CountedKernel Counted(const RayKernel& kernel) {
   return CountedOn(
       kernel,
-      MakeRayScene<T>(ParseScene("rays_uniform:hit=50:bytes=24k:sets=fixed"),
+      MakeRayScene<T>(ParseScene("rays_uniform:hit=50:n=256:sets=fixed"),
                       kernel.loop, {.groups = 1, .size = 2 * kItems},
                       kDefaultSeed),
       kItems);

@@ -118,6 +118,23 @@ TEST(RayOperationsTest, MollerAndTrumboreTakeTwentySevenProductsARay) {
                    {"compare", 5}}));
 }
 
+// Three numbers of each vertex, of the origin and of the direction, read once:
+// of any other count, a part was not of the call.
+TEST(RayOperationsTest, APairIsReadOnce) {
+  constexpr auto kLoad = static_cast<std::size_t>(Kind::kLoad);
+  std::size_t pairs = 0;
+  for (const RayKernel& k : CountingRayKernels()) {
+    if (k.loop != RayLoop::kRayPairs) continue;
+    ++pairs;
+    const CountedKernel counted = CountOperations(k);
+    EXPECT_EQ(counted.per_item[kLoad], 15)
+        << k.method.key << " " << Name(k.scalar);
+    EXPECT_EQ(counted.per_call[kLoad], 0)
+        << k.method.key << " " << Name(k.scalar);
+  }
+  EXPECT_GT(pairs, 20u);
+}
+
 // N·O, N·D, u and v: two products and two sums each; N·O one sum more, and the
 // point two products and two sums; and u + v.
 TEST(RayOperationsTest, TheKeptTransformationTakesTenProductsARay) {
