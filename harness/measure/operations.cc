@@ -22,7 +22,7 @@ using counting::kKinds;
 // As many items as the longest stretch that any loop of f32 on AVX-512 works
 // off at once, so that n and 2n items differ by whole ones.
 constexpr std::size_t kItems = 128;
-// In scenes of n=256.
+// The scenes below say so in their names.
 static_assert(2 * kItems == 256);
 
 // What one call on the first n items of the scene takes. K and S are a kernel
