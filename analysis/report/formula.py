@@ -107,11 +107,14 @@ def _is_math(tokens: list[_Token], at: int) -> bool:
 
 
 def _breakable(tokens: list[_Token]) -> Iterator[list[_Token]]:
-    """The formula's pieces: a line may be broken behind a comma, but not in
-    brackets.
+    """The formula's pieces: a line may be broken behind a comma and before a sign
+    that stands between spaces, but not in brackets.
     """
     run: list[_Token] = []
-    for token in tokens:
+    for at, token in enumerate(tokens):
+        if run and not token.depth and _stands_free(tokens, at):
+            yield run
+            run = []
         run.append(token)
         if token.text in ",;" and not token.depth:
             yield run
@@ -120,12 +123,24 @@ def _breakable(tokens: list[_Token]) -> Iterator[list[_Token]]:
         yield run
 
 
+def _stands_free(tokens: list[_Token], at: int) -> bool:
+    """Whether the token is a sign between spaces."""
+    around = tokens[max(at - 1, 0) : at] + tokens[at + 1 : at + 2]
+    return tokens[at].text in _RELATIONS and [t.kind for t in around] == ["space"] * 2
+
+
 def _math(run: list[_Token]) -> Markup:
     """The run as one <math>, and the spaces at its ends outside."""
     before = " " if run[0].kind == "space" else ""
     after = " " if run[-1].kind == "space" else ""
-    row = _row(run[bool(before) : len(run) - bool(after)])
-    return Markup("{}<math>{}</math>{}").format(before, row, after)
+    inner = run[bool(before) : len(run) - bool(after)]
+    sign = Markup("")
+    if inner[0].text in _RELATIONS and inner[1:] and inner[1].kind == "space":
+        # Of a line that was broken before it: no sign of the number behind it.
+        # The space outside is its distance on the left.
+        sign = Markup('<mo form="infix" lspace="0">{}</mo>').format(inner[0].text)
+        inner = inner[2:]
+    return Markup("{}<math>{}{}</math>{}").format(before, sign, _row(inner), after)
 
 
 def _row(run: list[_Token]) -> Markup:

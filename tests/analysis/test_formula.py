@@ -69,16 +69,29 @@ def test_names_are_set_as_names_on_paper() -> None:
 def test_a_formula_on_the_page_is_mathml_and_its_words_are_words() -> None:
     assert on_page("u as cross_product, E1 ≥ −ε for each edge") == (
         "<math><mi>u</mi></math> as cross_product, "
-        "<math><msub><mi>E</mi><mn>1</mn></msub><mo>≥</mo><mo>−</mo><mi>ε</mi></math> for each edge"
+        "<math><msub><mi>E</mi><mn>1</mn></msub></math> <math>"
+        '<mo form="infix" lspace="0">≥</mo><mo>−</mo><mi>ε</mi></math> for each edge'
     )
     assert on_page("U + V < area, by a line") == (
-        "<math><mi>U</mi><mo>+</mo><mi>V</mi><mo>&lt;</mo><mtext>area</mtext></math>"
-        ", by a line"
+        '<math><mi>U</mi></math> <math><mo form="infix" lspace="0">+</mo><mi>V</mi></math> '
+        '<math><mo form="infix" lspace="0">&lt;</mo><mtext>area</mtext></math>, by a line'
     )
 
 
-def test_a_line_can_be_broken_behind_a_comma_but_not_in_brackets() -> None:
-    assert on_page("u ≥ 0, (u, v) = 1").count("<math>") == 2
+@pytest.mark.parametrize(
+    "text, pieces",
+    [
+        ("u, v", 2),
+        ("u ≥ 0, v", 3),
+        ("(u, v − 1)·w", 1),
+        ("−u·v + w/2", 2),
+        ("⌈u − v⌉", 1),
+    ],
+)
+def test_a_line_can_be_broken_at_commas_and_signs_but_not_in_brackets(
+    text: str, pieces: int
+) -> None:
+    assert on_page(text).count("<math>") == pieces
 
 
 def test_a_matrix_has_rows() -> None:
