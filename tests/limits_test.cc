@@ -75,8 +75,12 @@ TEST(DataCachesTest, InstructionsAreLeftOutAndLevelsInOrder) {
 // operations are.
 #if PITBENCH_EMULATED || defined(__SANITIZE_ADDRESS__)
 constexpr bool kRatesTell = false;
+constexpr double kSeconds = 1e-5;
+constexpr int kRepetitions = 2;
 #else
 constexpr bool kRatesTell = true;
+constexpr double kSeconds = 3e-4;
+constexpr int kRepetitions = 7;
 #endif
 
 // Bytes and operations a second by name, of probes that walk small sets.
@@ -88,7 +92,7 @@ class MeasuredTest : public testing::Test {
         {"L2", kMebi, 252 * kKibi},
         {"DRAM", 0, (PITBENCH_EMULATED ? 2 : 48) * kMebi},
     };
-    limits_ = new json(MeasureLimits(levels, std::regex("."), 3e-4, 7));
+    limits_ = new json(MeasureLimits(levels, std::regex("."), kSeconds, kRepetitions));
   }
   static void TearDownTestSuite() { delete limits_; }
 

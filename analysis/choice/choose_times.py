@@ -5,6 +5,7 @@ the time that was measured nearest to the scene.
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 from collections.abc import Iterator, Mapping
 from typing import Final
@@ -46,11 +47,11 @@ class Timing:
     noise: str = ""
     estimated: bool = False  # from the time of many points, and of a set-up
 
-    @property
+    @functools.cached_property
     def ns(self) -> float:
         return float(np.median(self.values))
 
-    @property
+    @functools.cached_property
     def interval(self) -> tuple[float, float]:
         if len(self.values) < 2:
             return (self.ns, self.ns)

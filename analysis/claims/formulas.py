@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from fractions import Fraction
 
@@ -25,8 +26,8 @@ from analysis.claims.lattice import (
     TRIANGLES,
     Point,
     Triangle,
+    areas,
     contains,
-    cross,
     dot,
     minus,
     on_boundary,
@@ -40,6 +41,8 @@ INVERSE, SIDES = "barycentric_inverse", "cross_product_det"
 GRAM = "uv_projection"
 SOLVE, PUBLISHED = "cross_solve", "cross_solve_published"
 COLOURS = 255  # steps of a channel
+
+Coordinates = tuple[Fraction, Fraction]
 
 
 def same_weights(evidence: Evidence) -> Finding:
@@ -211,18 +214,19 @@ def _near(evidence: Evidence) -> pd.DataFrame:
     return rows[rows["family"] == "near_edge"]
 
 
+@functools.cache
 def _by_matrix(t: Triangle, p: Point) -> list[Fraction]:
-    one = Fraction(1)
-    matrix = [[v[0] for v in t], [v[1] for v in t], [one, one, one]]
-    return solve(matrix, [p[0], p[1], one])
+    matrix = [[v[0] for v in t], [v[1] for v in t], [1, 1, 1]]
+    return solve(matrix, [p[0], p[1], 1])
 
 
-def _projected(t: Triangle, p: Point) -> Point:
+def _projected(t: Triangle, p: Point) -> Coordinates:
     e, f, way = minus(t[1], t[0]), minus(t[2], t[0]), minus(p, t[0])
-    return dot(way, e) / dot(e, e), dot(way, f) / dot(f, f)
+    return Fraction(dot(way, e), dot(e, e)), Fraction(dot(way, f), dot(f, f))
 
 
-def _by_gram(t: Triangle, p: Point) -> Point:
+@functools.cache
+def _by_gram(t: Triangle, p: Point) -> Coordinates:
     e, f, way = minus(t[1], t[0]), minus(t[2], t[0]), minus(p, t[0])
     u, v = solve(
         [[dot(e, e), dot(e, f)], [dot(e, f), dot(f, f)]], [dot(e, way), dot(f, way)]
@@ -231,7 +235,7 @@ def _by_gram(t: Triangle, p: Point) -> Point:
 
 
 def _misjudged(
-    t: Triangle, coordinates: Callable[[Triangle, Point], Point]
+    t: Triangle, coordinates: Callable[[Triangle, Point], Coordinates]
 ) -> tuple[int, int]:
     """Points answered wrongly, and all."""
     wrong = tried = 0
@@ -243,6 +247,5 @@ def _misjudged(
 
 
 def _equation(t: Triangle, p: Point) -> list[Fraction] | None:
-    a, b, c = (minus(vertex, p) for vertex in t)
-    parts = [cross(b, c), cross(c, a), cross(a, b)]
-    return [part / parts[0] for part in parts] if parts[0] != 0 else None
+    parts = areas(t, p)
+    return [Fraction(part, parts[0]) for part in parts] if parts[0] != 0 else None

@@ -64,13 +64,17 @@ def others_of(run: Run, stored: Sequence[Run]) -> list[Run]:
 
 def cpus(run: Run, stored: Sequence[Run], scalar: str) -> list[Cpu]:
     """The run at hand first, then the others by name."""
-    scene = reference_scene(_cells(run, scalar), LOOP)
+    scene: str | None = None
     found: list[Cpu] = []
     labels = [HERE, *_labels(stored)]
     for name, each in zip(labels, [run, *stored], strict=True):
         ours = part(each).ours
-        cells = _cells(ours, scalar)
+        timed = speed_cells(ours.speed)
+        cells = timed[(timed["scalar"] == scalar) & (timed["threads"] == 1)]
+        if not found:
+            scene = reference_scene(cells, LOOP)
         cells = cells[(cells["loop"] == LOOP) & (cells["scene"] == scene)]
+        cells = with_bounds(cells, ours.limits, ours.operations)
         by_cell = samples(ours.speed)
         times: dict[tuple[str, str], Values] = {
             (row["method"], row["isa"]): by_cell[row["shard"], row["name"]]
@@ -81,7 +85,7 @@ def cpus(run: Run, stored: Sequence[Run], scalar: str) -> list[Cpu]:
             Cpu(
                 name,
                 each,
-                noise.judge(ours.speed, each.shards).word,
+                noise.judge(ours.speed, each.shards, timed).word,
                 code_state(each),
                 _rows(name, each, cells, times, base),
                 times,
@@ -97,12 +101,6 @@ def _labels(runs: Sequence[Run]) -> list[str]:
         label if labels.count(label) == 1 else f"{label} ({run.name})"
         for label, run in zip(labels, runs)
     ]
-
-
-def _cells(run: Run, scalar: str) -> pd.DataFrame:
-    own = run.speed[(run.speed["scalar"] == scalar) & (run.speed["threads"] == 1)]
-    cells = with_bounds(speed_cells(own), run.limits, run.operations)
-    return cells if "of_limit" in cells else cells.assign(of_limit=np.nan)
 
 
 def _rows(
@@ -124,7 +122,7 @@ def _rows(
                 "run": name,
                 **{k: cell[k] for k in ("method", "isa", "ns", "ns_low", "ns_high")},
                 "cycles": cell["ns"] * clock[cell["shard"]],
-                "of_limit": cell["of_limit"],
+                "of_limit": cell.get("of_limit", np.nan),
                 **_ratio(name, times[kernel], base.get(kernel)),
                 "noise": cell["noise"],
             }

@@ -8,6 +8,7 @@ A scene is a family and its parameters: `uniform:hit=50:n=4096:sets=fresh`.
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
 import re
 
@@ -75,6 +76,7 @@ class Cell:
         return "/".join(parts + [self.control] * bool(self.control))
 
 
+@functools.cache
 def parse_scene(text: str) -> Scene:
     """The scene that `text` names. Raises CellNameError, and nothing else."""
     family, *pairs = text.split(":")

@@ -85,9 +85,9 @@ def speed_cells(speed: pd.DataFrame) -> pd.DataFrame:
     """
     by_cell = samples(speed)
     rows = []
-    plain = speed[speed["control"] == ""]
-    for (shard, name), group in plain.groupby(["shard", "name"], sort=True):
-        first = group.iloc[0]
+    plain = speed[speed["control"] == ""].drop_duplicates(["shard", "name"])
+    for first in plain.sort_values(["shard", "name"]).to_dict("records"):
+        shard, name = first["shard"], first["name"]
         own = by_cell[shard, name]
         time = median_interval(own)
         scalar_name = "/".join([*name.split("/")[:4], "scalar"])

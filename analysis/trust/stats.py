@@ -42,19 +42,9 @@ def median_interval(values: Values) -> Interval:
     `coverage` says how little that is.
     """
     ordered = _ordered(values)
-    n = len(ordered)
-    tail, chosen = 0.0, (1, 1 - 2 / 2**n)
-    for k in range(1, n // 2 + 1):
-        tail += math.comb(n, k - 1) / 2**n
-        if 1 - 2 * tail < CONFIDENCE:
-            break
-        chosen = (k, 1 - 2 * tail)
-    k, coverage = chosen
+    k, coverage = _median_rank(len(ordered))
     return Interval(
-        float(np.median(ordered)),
-        float(ordered[k - 1]),
-        float(ordered[n - k]),
-        coverage,
+        _middle(ordered), float(ordered[k - 1]), float(ordered[-k]), coverage
     )
 
 
@@ -81,19 +71,9 @@ def ratio_interval(
     """
     tops, bottoms = _ordered(top), _ordered(bottom)
     quotients = np.sort((tops[:, None] / bottoms[None, :]).ravel())
-    counts = _mann_whitney_counts(len(tops), len(bottoms))
-    total = sum(counts)
-    k, tail, coverage = 1, 0, 1 - 2 * counts[0] / total
-    for candidate in range(1, len(quotients) // 2 + 1):
-        tail += counts[candidate - 1]
-        if 2 * tail > (1 - confidence) * total:
-            break
-        k, coverage = candidate, 1 - 2 * tail / total
+    k, coverage = _ratio_rank(len(tops), len(bottoms), confidence)
     return Interval(
-        float(np.median(quotients)),
-        float(quotients[k - 1]),
-        float(quotients[-k]),
-        max(coverage, 0.0),
+        _middle(quotients), float(quotients[k - 1]), float(quotients[-k]), coverage
     )
 
 
@@ -107,7 +87,7 @@ def wilson(count: int, of: int, confidence: float = CONFIDENCE) -> Interval:
         raise ValueError(f"a share of {count} in {of}")
     if of == 0:
         return Interval(math.nan, 0.0, 1.0, confidence)
-    z = NormalDist().inv_cdf((1 + confidence) / 2)
+    z = _normal_quantile((1 + confidence) / 2)
     share = count / of
     centre = share + z * z / (2 * of)
     spread = z * math.sqrt(share * (1 - share) / of + z * z / (4 * of * of))
@@ -180,6 +160,41 @@ def _ordered(values: Values) -> npt.NDArray[np.float64]:
     if len(ordered) == 0 or not np.all(np.isfinite(ordered)):
         raise ValueError("needs at least one value, all of them finite")
     return ordered
+
+
+def _middle(ordered: npt.NDArray[np.float64]) -> float:
+    """The median of values in order."""
+    n = len(ordered)
+    return float((ordered[(n - 1) // 2] + ordered[n // 2]) / 2)
+
+
+_normal_quantile = functools.cache(NormalDist().inv_cdf)
+
+
+@functools.cache
+def _median_rank(n: int) -> tuple[int, float]:
+    """The k of median_interval(), and the interval's coverage."""
+    tail, chosen = 0.0, (1, 1 - 2 / 2**n)
+    for k in range(1, n // 2 + 1):
+        tail += math.comb(n, k - 1) / 2**n
+        if 1 - 2 * tail < CONFIDENCE:
+            break
+        chosen = (k, 1 - 2 * tail)
+    return chosen
+
+
+@functools.cache
+def _ratio_rank(m: int, n: int, confidence: float) -> tuple[int, float]:
+    """The k of ratio_interval() for m and n values, and the coverage."""
+    counts = _mann_whitney_counts(m, n)
+    total = sum(counts)
+    k, tail, coverage = 1, 0, 1 - 2 * counts[0] / total
+    for candidate in range(1, m * n // 2 + 1):
+        tail += counts[candidate - 1]
+        if 2 * tail > (1 - confidence) * total:
+            break
+        k, coverage = candidate, 1 - 2 * tail / total
+    return k, max(coverage, 0.0)
 
 
 @functools.cache

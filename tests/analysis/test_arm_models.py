@@ -18,7 +18,7 @@ from analysis.report.report import build
 from analysis.speed.cost_exhibits import with_models
 from tests.analysis.synthetic import Options, documents, write_run
 
-OPTIONS = Options(methods=("cross_product", "edge_function"))
+OPTIONS = Options(methods=("cross_product", "edge_function"), small=True)
 # fmla v0.4s, v1.4s, v2.4s (4 cycles on a Neoverse V1, each after the last),
 # then subs x0, x0, #1 and b.ne.
 NEON = ["20cc224e", "000400f1", "c1ffff54"]

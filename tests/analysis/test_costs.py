@@ -29,7 +29,8 @@ FOUR = Options(
         "cross_product_det",
         "edge_function_fma",
         "barycentric_inverse",
-    )
+    ),
+    small=True,
 )
 needs_llvm = pytest.mark.skipif(
     shutil.which("llvm-mca-19") is None, reason="llvm-19 is not installed"

@@ -16,7 +16,8 @@ from analysis.read.load_instructions import INSTRUCTIONS_COLUMNS
 from analysis.report.page import render
 from analysis.report.report import build
 from analysis.speed import ladder, tables
-from tests.analysis.synthetic import Options, write_run
+from tests.analysis.conftest import TWO_METHODS
+from tests.analysis.synthetic import write_run
 from tests.analysis.test_tables import name, speed_frame
 
 # Repetitions that differ by a thousandth.
@@ -126,7 +127,7 @@ def test_a_reason_follows_from_the_figures_of_the_run(
 
 
 def test_the_page_counts_the_slower_kernels_and_names_them(tmp_path: Path) -> None:
-    run = load_run(write_run(tmp_path, Options()))
+    run = load_run(write_run(tmp_path, TWO_METHODS))
     plain = build(run)
     isas = [isa for isa in run.speed["isa"].unique() if isa in ladder.LADDER]
     widest = max(isas, key=list(ladder.LADDER).index)
