@@ -19,7 +19,7 @@ namespace pitbench {
 namespace {
 
 // Sanitizers and emulators take ten times as long.
-#if PITBENCH_EMULATED || defined(__SANITIZE_ADDRESS__)
+#if PITBENCH_SLOW
 constexpr std::size_t kHardPoints = 300'000;
 constexpr int kRandomInputs = 10'000;
 #else

@@ -16,7 +16,7 @@ namespace {
 
 using Coordinate = std::int32_t;
 
-#if PITBENCH_EMULATED || defined(__SANITIZE_ADDRESS__)
+#if PITBENCH_SLOW
 constexpr std::size_t kTriangles = 4000;
 #else
 constexpr std::size_t kTriangles = 1000000;

@@ -73,7 +73,7 @@ TEST(DataCachesTest, InstructionsAreLeftOutAndLevelsInOrder) {
 
 // An emulator's own work, and what sanitizers insert, hide how fast loads and
 // operations are.
-#if PITBENCH_EMULATED || defined(__SANITIZE_ADDRESS__)
+#if PITBENCH_SLOW
 constexpr bool kRatesTell = false;
 constexpr double kSeconds = 1e-5;
 constexpr int kRepetitions = 2;
@@ -90,9 +90,10 @@ class MeasuredTest : public testing::Test {
     const std::vector<MemoryLevel> levels = {
         {"L1", 32 * kKibi, 12 * kKibi},
         {"L2", kMebi, 252 * kKibi},
-        {"DRAM", 0, (PITBENCH_EMULATED ? 2 : 48) * kMebi},
+        {"DRAM", 0, (PITBENCH_SLOW ? 2 : 48) * kMebi},
     };
-    limits_ = new json(MeasureLimits(levels, std::regex("."), kSeconds, kRepetitions));
+    limits_ = new json(
+        MeasureLimits(levels, std::regex("."), kSeconds, kRepetitions));
   }
   static void TearDownTestSuite() { delete limits_; }
 

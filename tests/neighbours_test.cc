@@ -14,7 +14,7 @@
 namespace pitbench {
 namespace {
 
-#if PITBENCH_EMULATED
+#if PITBENCH_SLOW
 constexpr int kPairs = 3'000;
 #else
 constexpr int kPairs = 30'000;

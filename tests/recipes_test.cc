@@ -20,7 +20,7 @@
 namespace pitbench {
 namespace {
 
-#if PITBENCH_EMULATED
+#if PITBENCH_SLOW
 constexpr std::size_t kInputs = 5'000;
 #else
 constexpr std::size_t kInputs = 120'000;

@@ -22,7 +22,7 @@
 namespace pitbench {
 namespace {
 
-constexpr int kPointsPerFamily = PITBENCH_EMULATED ? 50'000 : 500'000;
+constexpr int kPointsPerFamily = PITBENCH_SLOW ? 50'000 : 500'000;
 
 template <class T>
 struct Input {

@@ -17,7 +17,7 @@
 namespace pitbench {
 namespace {
 
-#if PITBENCH_EMULATED || defined(__SANITIZE_ADDRESS__)
+#if PITBENCH_SLOW
 constexpr std::size_t kItems = 3'000;
 constexpr std::size_t kRaysOfSurface = 3'000;
 #else

@@ -13,7 +13,7 @@
 namespace pitbench {
 namespace {
 
-#if PITBENCH_EMULATED || defined(__SANITIZE_ADDRESS__)
+#if PITBENCH_SLOW
 constexpr int kItems = 20'000;
 #else
 constexpr int kItems = 400'000;

@@ -15,8 +15,8 @@
 namespace pitbench {
 namespace {
 
-// Emulation is slow: fewer are drawn there.
-constexpr int kShare = PITBENCH_EMULATED ? 4 : 1;
+// Where programs run slowly, fewer are drawn.
+constexpr int kShare = PITBENCH_SLOW ? 4 : 1;
 
 // Points with whole coordinates from `least` to `most`, drawn.
 class WholePoints {

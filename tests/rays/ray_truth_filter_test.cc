@@ -15,7 +15,7 @@
 namespace pitbench {
 namespace {
 
-constexpr int kRays = PITBENCH_EMULATED ? 100'000 : 2'000'000;
+constexpr int kRays = PITBENCH_SLOW ? 100'000 : 2'000'000;
 
 template <class T>
 std::string Written(const Triangle3<T>& t, const Ray<T>& ray) {

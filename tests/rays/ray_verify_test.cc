@@ -12,7 +12,7 @@
 namespace pitbench {
 namespace {
 
-constexpr std::size_t kRays = PITBENCH_EMULATED ? 2000 : 40000;
+constexpr std::size_t kRays = PITBENCH_SLOW ? 2000 : 40000;
 
 std::vector<const RayKernel*> OfMethod(std::string_view method, Scalar scalar) {
   return RayKernelsWhere([&](const RayKernel& k) {
