@@ -19,7 +19,7 @@ from analysis.read.load import LoadError, load_run
 from analysis.read.run import Run
 from analysis.report.page import write_page
 from analysis.report.paper import paper
-from analysis.report.readme import BEGIN, write_readme
+from analysis.report.readme import BEGIN, read_readme, write_readme
 from analysis.report.report import build
 from analysis.report.report_data import beside
 from analysis.speed.cost_exhibits import with_models
@@ -55,6 +55,7 @@ def main(arguments: list[str] | None = None) -> int:
                 data = dataclasses.replace(data, pdf=paper(report, data))
             written = write_page(report, out, data)
         else:
+            read_readme(options.readme)  # a refusal comes before the long work
             report = build(_loaded(run_folder))
             written = write_readme(report, options.readme)
     except (LoadError, SceneError) as error:

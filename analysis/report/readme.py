@@ -15,15 +15,28 @@ END = "<!-- end: measured -->"
 CHART = Path("report") / "readme" / "hero.png"
 
 
+_MEASURED = re.compile(f"{re.escape(BEGIN)}.*?{re.escape(END)}", re.DOTALL)
+
+
 def replaced(readme: str, measured: str) -> str:
-    """`readme` with what stands between the markers replaced. LoadError if
-    the markers are not there, once each and in order.
+    """`readme` with what stands between the markers replaced."""
+    return _MEASURED.sub(lambda _: f"{BEGIN}\n{measured.strip()}\n{END}", readme)
+
+
+def read_readme(readme: Path) -> str:
+    """The text of the file. LoadError if it cannot be read or the markers are not
+    there, once each and in order.
     """
-    pattern = re.compile(f"{re.escape(BEGIN)}.*?{re.escape(END)}", re.DOTALL)
-    found = pattern.findall(readme)
-    if len(found) != 1 or readme.count(BEGIN) != 1 or readme.count(END) != 1:
-        raise LoadError(f"needs one line '{BEGIN}' and after it one line '{END}'")
-    return pattern.sub(lambda _: f"{BEGIN}\n{measured.strip()}\n{END}", readme)
+    try:
+        text = readme.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise LoadError(f"{readme}: cannot be read: {error}") from None
+    once = text.count(BEGIN) == text.count(END) == 1
+    if not once or not _MEASURED.search(text):
+        raise LoadError(
+            f"{readme}: needs one line '{BEGIN}' and after it one line '{END}'"
+        )
+    return text
 
 
 def write_readme(report: Report, readme: Path) -> Path:
@@ -34,14 +47,7 @@ def write_readme(report: Report, readme: Path) -> Path:
             f"run {report.run.name}: has no speed and error rate of the same methods "
             "to show"
         )
-    try:
-        text = readme.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise LoadError(f"{readme}: cannot be read: {error}") from None
-    try:
-        text = replaced(text, render(report, "readme.md.j2"))
-    except LoadError as error:
-        raise LoadError(f"{readme}: {error}") from None
+    text = replaced(read_readme(readme), render(report, "readme.md.j2"))
     write_whole(readme.parent / CHART, hero.chart.png)
     write_whole(readme, text.encode())
     return readme
