@@ -25,6 +25,7 @@ using nlohmann::json;
 
 constexpr std::size_t kKibi = 1 << 10;
 constexpr std::size_t kMebi = 1 << 20;
+constexpr std::size_t kStep = 6 * kKibi;  // what is walked is a multiple of it
 
 TEST(MemoryLevelsTest, HalfOfOwnCachesAndLessOfTheSharedOne) {
   const auto levels =
@@ -90,7 +91,7 @@ class MeasuredTest : public testing::Test {
     const std::vector<MemoryLevel> levels = {
         {"L1", 32 * kKibi, 12 * kKibi},
         {"L2", kMebi, 252 * kKibi},
-        {"DRAM", 0, (PITBENCH_SLOW ? 2 : 48) * kMebi},
+        {"DRAM", 0, (PITBENCH_SLOW ? 341 : 8192) * kStep},
     };
     limits_ = new json(
         MeasureLimits(levels, std::regex("."), kSeconds, kRepetitions));

@@ -26,7 +26,8 @@ namespace pitbench {
 struct MemoryLevel {
   std::string name;      // "L1", "L2", …, "DRAM"
   std::size_t capacity;  // in bytes; 0: DRAM, which holds everything
-  std::size_t probed;    // size of the set that is walked to measure it
+  std::size_t probed;    // size of the set that is walked to measure it; whole
+                         // steps (kMemoryStep) in each of kMostStreams arrays
 };
 
 // The levels of a machine by the sizes of its data caches, smallest first, and
