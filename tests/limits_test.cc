@@ -90,8 +90,8 @@ class MeasuredTest : public testing::Test {
   static void SetUpTestSuite() {
     const std::vector<MemoryLevel> levels = {
         {"L1", 32 * kKibi, 12 * kKibi},
-        {"L2", kMebi, 252 * kKibi},
-        {"DRAM", 0, (PITBENCH_SLOW ? 341 : 8192) * kStep},
+        {"L2", kMebi, (PITBENCH_SLOW ? 4 : 42) * kStep},
+        {"DRAM", 0, (PITBENCH_SLOW ? 8 : 8192) * kStep},
     };
     limits_ = new json(
         MeasureLimits(levels, std::regex("."), kSeconds, kRepetitions));
