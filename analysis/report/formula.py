@@ -112,7 +112,8 @@ def _breakable(tokens: list[_Token]) -> Iterator[list[_Token]]:
     """
     run: list[_Token] = []
     for at, token in enumerate(tokens):
-        if run and not token.depth and _stands_free(tokens, at):
+        begun = any(other.kind != "space" for other in run)
+        if begun and not token.depth and _stands_free(tokens, at):
             yield run
             run = []
         run.append(token)

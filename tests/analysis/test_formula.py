@@ -82,6 +82,7 @@ def test_a_formula_on_the_page_is_mathml_and_its_words_are_words() -> None:
     "text, pieces",
     [
         ("u, v", 2),
+        ("u, ≥ v", 2),
         ("u ≥ 0, v", 3),
         ("(u, v − 1)·w", 1),
         ("−u·v + w/2", 2),
