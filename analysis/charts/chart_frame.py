@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import io
 import math
 import textwrap
@@ -15,6 +16,7 @@ import matplotlib
 matplotlib.use("agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator  # noqa: E402
 
@@ -52,13 +54,34 @@ _TALL = 9  # inches; above, a PNG at twice the size is larger than a screen show
 
 @dataclasses.dataclass(frozen=True)
 class Chart:
-    """A finished chart: its picture in both formats and its words."""
+    """A finished chart: its words, and its picture, which is drawn in a format
+    when that is first asked for.
+    """
 
     key: str
     title: str
     alt: str
-    svg: str
-    png: bytes
+    figure: Figure
+
+    @functools.cached_property
+    def svg(self) -> str:
+        """An element to stand in a page."""
+        drawn = io.StringIO()
+        with style():
+            self.figure.savefig(
+                drawn, format="svg", metadata={"Date": None, "Creator": None}
+            )
+        return inline(drawn.getvalue(), self.key)
+
+    @functools.cached_property
+    def png(self) -> bytes:
+        drawn = io.BytesIO()
+        dpi = _DPI if self.figure.get_figheight() > _TALL else 2 * _DPI
+        with style():
+            self.figure.savefig(
+                drawn, format="png", dpi=dpi, metadata={"Software": None}
+            )
+        return drawn.getvalue()
 
 
 @contextmanager
@@ -72,8 +95,8 @@ def style() -> Iterator[None]:
 
 
 def finish(figure: Any, key: str, title: str, alt: str, footer: str) -> Chart:
-    """Adds title and footer, and renders. `figure` is closed. Leave 0.7 inches
-    free above for a title of two lines and 0.3 below.
+    """Adds title and footer; the figure is then the chart's alone. Leave 0.7
+    inches free above for a title of two lines and 0.3 below.
     """
     width, height = figure.get_size_inches()
     figure.suptitle(
@@ -95,13 +118,8 @@ def finish(figure: Any, key: str, title: str, alt: str, footer: str) -> Chart:
         fontsize=7.5,
         color="#666666",
     )
-    svg = io.StringIO()
-    figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
-    png = io.BytesIO()
-    dpi = _DPI if height > _TALL else 2 * _DPI
-    figure.savefig(png, format="png", dpi=dpi, metadata={"Software": None})
     plt.close(figure)
-    return Chart(key, title, alt, inline(svg.getvalue(), key), png.getvalue())
+    return Chart(key, title, alt, figure)
 
 
 def spread(
