@@ -24,7 +24,8 @@ class Hardness:
 
     def words(self, value: float) -> str:
         """A value of the parameter as a sentence has it."""
-        return self.worded.format(self.named(value))
+        text = self.worded.format(self.named(value))
+        return text.removesuffix("s") if self.named(value) == "1" else text
 
     def named(self, value: float) -> str:
         return power_of_two(value) if self.scale == "power" else plain(value)

@@ -38,6 +38,7 @@ class Costs:
     modelled: bool
     not_modelled: str
     error: Error | None
+    error_unknown: str  # why there is none
     models: list[str]
     arm: arm_exhibits.Arm
 
@@ -117,9 +118,17 @@ def add(
         modelled=bool(len(run.modelled)),
         not_modelled=run.not_modelled,
         error=words,
+        error_unknown=_error_unknown(run.nearest_model),
         models=sorted(set(run.modelled["model"])),
         arm=arm_exhibits.add_table(exhibits, run, scalar),
     )
+
+
+def _error_unknown(nearest: str | None) -> str:
+    if nearest is None:
+        return "the report was made on another machine, or LLVM has no model of it"
+    isa = llvm_mca.MODELS[nearest]
+    return f"its model {nearest} was given loops of {isa}, and this run timed none"
 
 
 def cost_columns(isa: str | None, item: str = "point") -> list[Column]:

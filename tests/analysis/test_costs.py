@@ -214,6 +214,14 @@ def test_without_a_model_of_the_host_there_is_no_error_and_the_chart_says_so(
     assert "Modelled, not measured" in page
 
 
+def test_a_host_whose_loops_were_not_timed_is_said_to_be_that(run: Run) -> None:
+    narrow = with_cycles(run, "znver5")
+    speed = narrow.speed[narrow.speed["isa"] != "avx512"]
+    page = render(build(dataclasses.replace(narrow, speed=speed)), "index.html.j2")
+    assert "its model znver5 was given loops of avx512, and this run timed none" in page
+    assert "another machine" not in page
+
+
 def test_modelled_rows_never_stand_among_measured_ones(run: Run) -> None:
     plain, more = build(run), build(with_cycles(run, "znver5"))
     for exhibit in plain.exhibits:

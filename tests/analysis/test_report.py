@@ -15,6 +15,7 @@ import pytest
 
 from analysis.accuracy import failure_prose
 from analysis.read.load import load_run
+from analysis.report import prose
 from analysis.report.page import render, write_page
 from analysis.report.report import Report, build
 from analysis.report.verdicts import advise
@@ -68,6 +69,20 @@ def test_a_method_of_another_question_is_never_advised(tmp_path: Path) -> None:
     assert report.advice.fastest == "edge_function"
     words = text_of(tmp_path / "b", quick)
     assert "cross_solve_published decides another question" in words
+
+
+def test_a_formula_of_another_question_is_told_once(tmp_path: Path) -> None:
+    report = build(load_run(write_run(tmp_path / "a", FOUR)))
+    alone = report.verdicts.replace(
+        "cross_solve_published", "cross_solve_published_fma"
+    )
+    both = pd.concat([report.verdicts, alone]).drop_duplicates("method")
+    for table, told in (
+        (both, ["cross_solve_published"]),
+        (alone, ["cross_solve_published_fma"]),
+    ):
+        words = prose.facts(dataclasses.replace(report, verdicts=table))
+        assert [method for method, _ in words["advice"]["not_whole"]] == told
 
 
 def test_a_method_that_errs_on_everyday_points_is_never_advised(

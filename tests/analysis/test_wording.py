@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from analysis.accuracy.hardness import hardness_of
 from analysis.report import wording
 
 
@@ -75,3 +76,9 @@ def test_lists_and_counts() -> None:
     assert wording.counted(30500000, "answer") == "30\u202f500\u202f000 answers"
     assert wording.power_of_two(-12) == "2⁻¹²"
     assert wording.spoken(20.66e9) == "20.7 billion"
+
+
+def test_one_of_something_is_no_plural() -> None:
+    assert hardness_of("near_edge").words(1) == "1 ulp"
+    assert hardness_of("near_edge").words(4) == "4 ulps"
+    assert hardness_of("offset").words(0) == "2⁰ sizes"
