@@ -16,6 +16,7 @@ from locks import Refusal
 
 
 KINDS = ("limits", "speed", "accuracy", "maps", "operations", "instructions")
+ALONE = ("limits", "speed")  # of the kinds, those that measure time
 
 
 @dataclass(frozen=True)
@@ -26,8 +27,8 @@ class Shard:
 
     @property
     def alone(self) -> bool:
-        """Whether no other shard may run beside it: it measures time."""
-        return self.kind in ("limits", "speed")
+        """Whether no other shard may run beside it."""
+        return self.kind in ALONE
 
 
 def ask(pitbench: str, *arguments: str) -> str:

@@ -52,6 +52,7 @@ from run_folder import (
     result,
     run_name,
 )
+from time_left import time_left
 
 STDERR_LINES = 12
 
@@ -98,23 +99,8 @@ class Sweep:
         self.console.print(text, markup=False)
 
     def time_left(self, jobs: int) -> str:
-        """By the mean time of the shards of a kind that have run; a kind none
-        of which has run is taken to be like the others."""
-        known = [t for times in self.seconds.values() for t in times]
-        if not known:
-            return "time left: unknown yet"
-        seconds = 0.0
-        running = [child.shard for child in self.children]
-        for kind in KINDS:
-            at_once = 1 if kind in ("limits", "speed") else jobs
-            times = self.seconds[kind] or known
-            count = sum(s.kind == kind for s in self.todo + running)
-            seconds += count * sum(times) / len(times) / at_once
-        for child in self.children:
-            seconds -= min(time.monotonic() - child.started, seconds)
-        if seconds >= 90:
-            return f"about {seconds / 60:.0f} min left"
-        return f"about {seconds:.0f} s left"
+        running = {c.shard: time.monotonic() - c.started for c in self.children}
+        return time_left(self.seconds, self.todo, running, jobs)
 
     def start(self, shard: Shard, locks: list[int]) -> None:
         command = [self.pitbench, shard.kind, *shard.arguments]

@@ -49,7 +49,7 @@ python_format() {
 
 python_types() {
   "$python" -m mypy --strict analysis harness/sweep.py &&
-    "$python" -m mypy --strict --explicit-package-bases tests/sweep \
+    MYPYPATH=harness "$python" -m mypy --strict --explicit-package-bases tests/sweep \
       tests/reproduce
 }
 

@@ -104,7 +104,9 @@ def beyond_rule(cells: pd.DataFrame) -> pd.DataFrame:
             for _, row in exact.dropna(subset=[kind]).iterrows():
                 known[rule, row["loop"], row["scene"]] = float(row[kind])
         places = zip(cells["boundary_rule"], cells["loop"], cells["scene"])
-        allowed = pd.Series([known.get(p, 0.0) for p in places], index=cells.index)
+        allowed = pd.Series(
+            [known.get(p, 0.0) for p in places], index=cells.index, dtype=float
+        )
         counts = cells[kind].astype(float)
         by_rule = counts.where(counts.isna() | (counts <= allowed), allowed)
         found = found.assign(
