@@ -58,7 +58,8 @@ void VerifyOn(const Scene<T>& scene, const std::vector<const Kernel*>& kernels,
   std::map<Boundary, std::vector<Bits>> expected;
   Bits said;
   for (const Kernel* kernel : kernels) {
-    if (kernel->loop != scene.loop) continue;
+    if (LoopOfScenes(kernel->loop) != scene.loop) continue;
+    const Array<T> xy = PointsFor(*kernel, scene);
     std::vector<Bits>& right = expected[kernel->method.boundary];
     for (std::size_t c = 0; c < scene.calls.size(); ++c) {
       const Call& call = scene.calls[c];
@@ -67,7 +68,7 @@ void VerifyOn(const Scene<T>& scene, const std::vector<const Kernel*>& kernels,
             ExpectedBits(scene, call, truth.calls[c], kernel->method.boundary));
       }
       said.assign(right[c].size(), 0xff);
-      FunctionOf<T> (*kernel)(scene.BatchOf(call),
+      FunctionOf<T> (*kernel)(scene.BatchOf(call, xy.data()),
                               Result<T>{.bits = said.data()});
       so_far.answers += call.n;
       if (said == right[c]) continue;

@@ -145,51 +145,81 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> inside_above,
   Decide(d, first, n, inside_above, bits, margin_at, tail_at, contains);
 }
 
+// The points of a batch as two arrays. Of(exchanged, use) calls use(vectors),
+// whose At(d, i, margin) is margin(u, v) for those from i on: u are their x and
+// v their y, or, exchanged, the other way round. PointsSideBySide is alike.
 template <class T>
+struct PointsInTwoArrays {
+  struct Vectors {
+    const T* u;
+    const T* v;
+    template <class D, class Margin>
+    HWY_INLINE Vec<D> At(D d, std::size_t i, const Margin& margin) const {
+      return margin(InRegister(hn::LoadU(d, u + i)),
+                    InRegister(hn::LoadU(d, v + i)));
+    }
+    template <class D, class Margin>
+    HWY_INLINE Vec<D> TailAt(D d, std::size_t i, std::size_t count,
+                             const Margin& margin) const {
+      const Tail<D> last_u(u + i, count);
+      const Tail<D> last_v(v + i, count);
+      return margin(hn::Load(d, last_u.data()), hn::Load(d, last_v.data()));
+    }
+  };
+
+  HWY_INLINE explicit PointsInTwoArrays(const Batch<T>& batch)
+      : px(batch.px), py(batch.py) {}
+  HWY_INLINE T x(std::size_t i) const { return px[i]; }
+  HWY_INLINE T y(std::size_t i) const { return py[i]; }
+  template <class Use>
+  HWY_INLINE void Of(bool exchanged, const Use& use) const {
+    use(Vectors{exchanged ? py : px, exchanged ? px : py});
+  }
+
+  const T* px;
+  const T* py;
+};
+
+// Loops one_triangle and one_triangle_aos.
+template <class T, template <class> class PointsOf>
 static HWY_NOINLINE void FilteredOneTriangle(const Batch<T>& batch,
                                              const Result<T>& to,
                                              Boundary boundary) {
   using D = Lanes<T>;
   const D d;
   const std::size_t n = batch.n;
-  const T* const px = batch.px;
-  const T* const py = batch.py;
+  const PointsOf<T> points(batch);
   std::uint8_t* const bits = to.bits;
   const Corners<T> corners{*batch.ax, *batch.ay, *batch.bx,
                            *batch.by, *batch.cx, *batch.cy};
   // The same with x and y exchanged: its lines are steep where those are flat.
   const Corners<T> mirrored{*batch.ay, *batch.ax, *batch.by,
                             *batch.bx, *batch.cy, *batch.cx};
-  // margin(x, y) reads x from u and y from v.
-  const auto write = [=](const T* u, const T* v, T inside_above,
-                         auto margin) HWY_ATTR {
-    WriteFiltered(
-        d, n, inside_above, bits,
-        [=](std::size_t i) HWY_ATTR {
-          return margin(InRegister(hn::LoadU(d, u + i)),
-                        InRegister(hn::LoadU(d, v + i)));
-        },
-        [=](std::size_t i, std::size_t count) HWY_ATTR {
-          const Tail<D> x(u + i, count);
-          const Tail<D> y(v + i, count);
-          return margin(hn::Load(d, x.data()), hn::Load(d, y.data()));
-        },
-        [=](std::size_t i) {
-          return ExactlyContains(boundary, corners, px[i], py[i]);
-        });
+  // margin(u, v) reads x from u and y from v, or, exchanged, y and x.
+  const auto write = [=](bool exchanged, T inside_above, auto margin) HWY_ATTR {
+    points.Of(exchanged, [=](auto vectors) HWY_ATTR {
+      WriteFiltered(
+          d, n, inside_above, bits,
+          [=](std::size_t i) HWY_ATTR { return vectors.At(d, i, margin); },
+          [=](std::size_t i, std::size_t count)
+              HWY_ATTR { return vectors.TailAt(d, i, count, margin); },
+          [=](std::size_t i) {
+            return ExactlyContains(boundary, corners, points.x(i), points.y(i));
+          });
+    });
   };
   const bool over_y = BetterOverY(corners);
   const SlopeFilter<T> slopes(over_y ? mirrored : corners);
   if (slopes.holds) {
     slopes.Choose([=](auto form) HWY_ATTR {
-      write(over_y ? py : px, over_y ? px : py, slopes.inside_above,
+      write(over_y, slopes.inside_above,
             [=](Vec<D> x, Vec<D> y) HWY_ATTR { return form.Margin(d, x, y); });
     });
     return;
   }
   const AreaFilter<T> area(corners);
   if (area.holds) {
-    write(px, py, area.inside_above,
+    write(false, area.inside_above,
           [=](Vec<D> x, Vec<D> y) HWY_ATTR { return area.Margin(d, x, y); });
   } else if (ExactOrientation(corners) == 0) {
     std::memset(bits, 0, BitBytes(n));
@@ -202,7 +232,7 @@ static HWY_NOINLINE void FilteredOneTriangle(const Batch<T>& batch,
     hn::Store(Set(d, corners.cx), d, all[4]);
     hn::Store(Set(d, corners.cy), d, all[5]);
     const Triangles<D> same{d, all[0], all[1], all[2], all[3], all[4], all[5]};
-    write(px, py, T{0}, [=](Vec<D> x, Vec<D> y) HWY_ATTR {
+    write(false, T{0}, [=](Vec<D> x, Vec<D> y) HWY_ATTR {
       return DeterminantMargin(d, same, x, y);
     });
   }

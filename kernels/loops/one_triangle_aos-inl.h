@@ -164,6 +164,46 @@ HWY_INLINE Mask<D> InsidePairs(D d, const TFromD<D>* pairs, const Form& form) {
   return form.Inside(d, x, y);
 }
 
+// For the filtered loops, as PointsInTwoArrays: a filter looks at its vectors
+// in the order of the points.
+template <class T>
+struct PointsSideBySide {
+  template <bool kExchanged>
+  struct Vectors {
+    const T* xy;
+    template <class D, class Margin>
+    static HWY_INLINE Vec<D> Of(D d, const T* pairs, const Margin& margin) {
+      Vec<D> x, y;
+      hn::LoadInterleaved2(d, pairs, x, y);
+      return kExchanged ? margin(y, x) : margin(x, y);
+    }
+    template <class D, class Margin>
+    HWY_INLINE Vec<D> At(D d, std::size_t i, const Margin& margin) const {
+      return Of(d, xy + 2 * i, margin);
+    }
+    template <class D, class Margin>
+    HWY_INLINE Vec<D> TailAt(D d, std::size_t i, std::size_t count,
+                             const Margin& margin) const {
+      const TailOfPoints<D> tail(xy + 2 * i, count);
+      return Of(d, tail.data(), margin);
+    }
+  };
+
+  HWY_INLINE explicit PointsSideBySide(const Batch<T>& batch) : xy(batch.pxy) {}
+  HWY_INLINE T x(std::size_t i) const { return xy[2 * i]; }
+  HWY_INLINE T y(std::size_t i) const { return xy[2 * i + 1]; }
+  template <class Use>
+  HWY_INLINE void Of(bool exchanged, const Use& use) const {
+    if (exchanged) {
+      use(Vectors<true>{xy});
+    } else {
+      use(Vectors<false>{xy});
+    }
+  }
+
+  const T* xy;
+};
+
 template <template <class> class M, class T>
 static void OneTriangleAos(const Batch<T>& batch, const Result<T>& to) {
   const Result<T> result = to;  // local, so that no store can alias them
