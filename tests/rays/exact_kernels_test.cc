@@ -21,8 +21,8 @@ namespace {
 constexpr std::size_t kItems = 3'000;
 constexpr std::size_t kRaysOfSurface = 3'000;
 #else
-constexpr std::size_t kItems = 60'000;
-constexpr std::size_t kRaysOfSurface = 100'000;
+constexpr std::size_t kItems = 30'000;
+constexpr std::size_t kRaysOfSurface = 50'000;
 #endif
 
 bool IsExact(const RayKernel& kernel) {

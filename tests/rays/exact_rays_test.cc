@@ -16,7 +16,7 @@ namespace {
 #if PITBENCH_SLOW
 constexpr int kItems = 20'000;
 #else
-constexpr int kItems = 400'000;
+constexpr int kItems = 100'000;
 #endif
 
 template <class T>
