@@ -42,7 +42,17 @@ HWY_INLINE auto SignMask(V v) {
 #endif
 
 // |x| of a number; std::abs would be an inline function that ISAs share.
-HWY_INLINE Number<double> Magnitude(Number<double> x) { return x < 0 ? -x : x; }
+template <class N>
+HWY_INLINE N MagnitudeOf(N x) {
+  if constexpr (std::is_same_v<N, double>) {
+    return __builtin_fabs(x);
+  } else if constexpr (std::is_same_v<N, float>) {
+    return __builtin_fabsf(x);
+  } else {
+    return x < 0 ? -x : x;
+  }
+}
+HWY_INLINE Number<double> Magnitude(Number<double> x) { return MagnitudeOf(x); }
 
 // The edge functions of one triangle, turned so that they are positive inside,
 // and a bound on their errors.
@@ -139,20 +149,20 @@ struct AreaFilter {
 // it.
 template <class T>
 HWY_INLINE bool BetterOverY(const Corners<T>& v) {
-  Number<double> least_run = std::numeric_limits<double>::infinity();
-  Number<double> least_rise = std::numeric_limits<double>::infinity();
-  const auto see = [&](Number<double> run, Number<double> rise) {
-    run = Magnitude(run);
-    rise = Magnitude(rise);
-    if (run > 0) least_run = HWY_MIN(least_run, run);
-    if (rise > 0) least_rise = HWY_MIN(least_rise, rise);
+  Number<T> least_run = std::numeric_limits<T>::infinity();
+  Number<T> least_rise = std::numeric_limits<T>::infinity();
+  const auto least = [](Number<T> so_far, Number<T> reach) {
+    reach = MagnitudeOf(reach);
+    const Number<T> less = HWY_MIN(so_far, reach);
+    return reach > 0 ? less : so_far;
   };
-  see(Number<double>(v.bx) - Number<double>(v.ax),
-      Number<double>(v.by) - Number<double>(v.ay));
-  see(Number<double>(v.cx) - Number<double>(v.bx),
-      Number<double>(v.cy) - Number<double>(v.by));
-  see(Number<double>(v.ax) - Number<double>(v.cx),
-      Number<double>(v.ay) - Number<double>(v.cy));
+  const auto see = [&](Number<T> run, Number<T> rise) {
+    least_run = least(least_run, run);
+    least_rise = least(least_rise, rise);
+  };
+  see(Number<T>(v.bx) - Number<T>(v.ax), Number<T>(v.by) - Number<T>(v.ay));
+  see(Number<T>(v.cx) - Number<T>(v.bx), Number<T>(v.cy) - Number<T>(v.by));
+  see(Number<T>(v.ax) - Number<T>(v.cx), Number<T>(v.ay) - Number<T>(v.cy));
   return least_run < least_rise;
 }
 
