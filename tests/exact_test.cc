@@ -42,6 +42,17 @@ TYPED_TEST_SUITE(ExactTest, Scalars);
 TYPED_TEST(ExactTest, NoErrorOnHardPoints) {
   const std::vector<const Kernel*> kernels = this->ExactKernels();
   ASSERT_GE(kernels.size(), 12u);
+  const auto asked = [&](Loop loop) {
+    return Verify<TypeParam>(KernelsWhere([loop](const Kernel& k) {
+                               return IsExact(k) && k.loop == loop &&
+                                      k.isa == Isa::kScalar &&
+                                      k.scalar == ScalarOf<TypeParam>();
+                             }),
+                             1000, 1)
+        .answers;
+  };
+  EXPECT_GT(asked(Loop::kOneTriangle), 0u);
+  EXPECT_EQ(asked(Loop::kOneTriangleAos), asked(Loop::kOneTriangle));
   const Verification v = Verify<TypeParam>(kernels, kHardPoints, 1);
   EXPECT_GE(v.points, kHardPoints);
   EXPECT_GT(v.boundary, kHardPoints / 100);

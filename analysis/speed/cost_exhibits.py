@@ -38,7 +38,7 @@ class Costs:
     modelled: bool
     not_modelled: str
     error: Error | None
-    error_unknown: str  # why there is none
+    error_unknown: str  # why there is none, else empty
     models: list[str]
     arm: arm_exhibits.Arm
 
@@ -118,7 +118,7 @@ def add(
         modelled=bool(len(run.modelled)),
         not_modelled=run.not_modelled,
         error=words,
-        error_unknown=_error_unknown(run.nearest_model),
+        error_unknown="" if words else _error_unknown(run.nearest_model),
         models=sorted(set(run.modelled["model"])),
         arm=arm_exhibits.add_table(exhibits, run, scalar),
     )
