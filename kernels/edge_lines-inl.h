@@ -18,49 +18,123 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-// Lines below and above the triangle, in double precision: s within 3 units of
-// roundoff, c within 5·|s·x| + |y| of them, (x, y) being the edge's left vertex
-// (f32: the slope's differences are nearly always exact, and what double
-// precision rounds does not show in f32).
-struct EdgeLines {
-  struct Line {
-    Number<double> s, c;
-  };
-  Line below[2] = {};
-  Line above[2] = {};
-  int below_count = 0;
-  int above_count = 0;
-  // Of a vertical edge; there is one if below_count + above_count is 2.
-  Number<double> vertical_x = 0;
-  bool right_of_vertical = false;  // the triangle is
+// |x| of a number; std::abs would be an inline function that ISAs share.
+template <class N>
+HWY_INLINE N MagnitudeOf(N x) {
+  if constexpr (std::is_same_v<N, double>) {
+    return __builtin_fabs(x);
+  } else if constexpr (std::is_same_v<N, float>) {
+    return __builtin_fabsf(x);
+  } else {
+    return x < 0 ? -x : x;
+  }
+}
+HWY_INLINE Number<double> Magnitude(Number<double> x) { return MagnitudeOf(x); }
 
-  // `winding`: +1 where abc is counter-clockwise, −1 where it is clockwise; NaN
-  // leaves both counts 0.
-  template <class T>
-  HWY_INLINE EdgeLines(const Corners<T>& t, Number<double> winding) {
-    Add(t.ax, t.ay, t.bx, t.by, winding);
-    Add(t.bx, t.by, t.cx, t.cy, winding);
-    Add(t.cx, t.cy, t.ax, t.ay, winding);
+// The edges 0, 1 and 2 with the one last that lies alone on its side of the
+// triangle, by which of them lie above (bit k: edge k); that none or all do
+// comes from an overflow.
+constexpr unsigned char kEdgeOrder[8][3] = {{1, 2, 0}, {1, 2, 0}, {2, 0, 1},
+                                            {0, 1, 2}, {0, 1, 2}, {2, 0, 1},
+                                            {1, 2, 0}, {1, 2, 0}};
+
+// The lines as T has them, computed in double precision: for f32 s and c are
+// rounded once (the differences are nearly always exact, and what double
+// precision rounds does not show); for f64 s is within 3 units of roundoff and
+// c within 5·|s·x| + |y| of them, (x, y) being the edge's left vertex.
+//
+// Which line lies where is looked up and not branched on: for triangles that
+// come in no order a branch would be mispredicted as often as not.
+template <class T>
+class EdgeLines {
+ public:
+  struct Line {
+    Number<T> s, c;
+  };
+
+  // `clockwise`: abc is. `valid`: it contains anything.
+  HWY_INLINE EdgeLines(const Corners<T>& t, bool clockwise, bool valid) {
+    unsigned leftward = 0;
+    unsigned vertical = 0;
+    const auto set = [&](unsigned k, Number<double> vx, Number<double> vy,
+                         Number<double> wx, Number<double> wy) {
+      const Number<double> run = wx - vx;
+      const Number<double> s = (wy - vy) / run;
+      // From the left vertex, the same whichever way the edge runs: neighbours
+      // compute the same line.
+      const Number<double> ends[2][2] = {{vx, vy}, {wx, wy}};
+      const unsigned turned = run < 0;
+      const auto& left = ends[turned];
+      lines_[k] = {static_cast<Number<T>>(s),
+                   static_cast<Number<T>>(left[1] - s * left[0])};
+      leftward |= turned << k;
+      if (HWY_UNLIKELY(run == 0)) vertical |= 1U << k;
+    };
+    const Number<double> ax = t.ax, ay = t.ay;
+    const Number<double> bx = t.bx, by = t.by;
+    const Number<double> cx = t.cx, cy = t.cy;
+    set(0, ax, ay, bx, by);
+    set(1, bx, by, cx, cy);
+    set(2, cx, cy, ax, ay);
+    above_ = leftward ^ (7U * clockwise);
+    if (HWY_UNLIKELY(vertical != 0 || !valid)) {
+      const Number<double> x[3] = {ax, bx, cx};
+      const Number<double> y[3] = {ay, by, cy};
+      SetVertical(valid ? vertical : 0, clockwise, x, y);
+    }
+  }
+
+  // The largest |s|.
+  HWY_INLINE Number<T> Steepest() const {
+    return HWY_MAX(HWY_MAX(MagnitudeOf(lines_[0].s), MagnitudeOf(lines_[1].s)),
+                   MagnitudeOf(lines_[2].s));
+  }
+
+  // Calls the one that the triangle has: two_below(pair0, pair1, above),
+  // two_above(pair0, pair1, below), or one_vertical(below, above, x, right)
+  // with the x of the vertical edge and whether the triangle lies to its right.
+  // The x is NaN where the triangle contains nothing.
+  template <class TwoBelow, class TwoAbove, class OneVertical>
+  HWY_INLINE void Choose(const TwoBelow& two_below, const TwoAbove& two_above,
+                         const OneVertical& one_vertical) const {
+    const Line& first = lines_[kEdgeOrder[above_][0]];
+    const Line& second = lines_[kEdgeOrder[above_][1]];
+    const Line& alone = lines_[kEdgeOrder[above_][2]];
+    if (HWY_UNLIKELY(has_vertical_)) {
+      one_vertical(lines_[below_index_], lines_[above_index_], vertical_x_,
+                   right_of_vertical_);
+    } else if ((above_ & (above_ - 1)) == 0) {
+      two_below(first, second, alone);
+    } else {
+      two_above(first, second, alone);
+    }
   }
 
  private:
-  HWY_INLINE void Add(Number<double> vx, Number<double> vy, Number<double> wx,
-                      Number<double> wy, Number<double> winding) {
-    const Number<double> run = wx - vx;
-    const Number<double> rise = wy - vy;
-    // The same whichever way the edge runs: neighbours compute the same line.
-    const Number<double> s = rise / run;
-    const Line line{s, run < 0 ? wy - s * wx : vy - s * vx};
-    const Number<double> side = run * winding;
-    if (side > 0) {
-      below[below_count++] = line;
-    } else if (side < 0) {
-      above[above_count++] = line;
-    } else if (side == 0) {
-      vertical_x = vx;
-      right_of_vertical = rise * winding < 0;
-    }
+  HWY_INLINE void SetVertical(unsigned vertical, bool clockwise,
+                              const Number<double> (&x)[3],
+                              const Number<double> (&y)[3]) {
+    has_vertical_ = true;
+    vertical_x_ = std::numeric_limits<T>::quiet_NaN();
+    const unsigned edge = vertical >> 1;  // of one bit: 1, 2, 4 are 0, 1, 2
+    const unsigned others = above_ & ~vertical & 7;
+    const bool one_each = others != 0 && (others | vertical) != 7;
+    if ((vertical != 1 && vertical != 2 && vertical != 4) || !one_each) return;
+    lines_[edge] = {0, 0};
+    above_index_ = others >> 1;
+    below_index_ = 3 - edge - above_index_;
+    vertical_x_ = static_cast<Number<T>>(x[edge]);
+    right_of_vertical_ = (y[(edge + 1) % 3] < y[edge]) != clockwise;
   }
+
+  Line lines_[3];
+  unsigned above_;  // bit k: edge k does
+  bool has_vertical_ = false;
+  // If so:
+  unsigned below_index_ = 0;
+  unsigned above_index_ = 0;
+  Number<T> vertical_x_ = 0;
+  bool right_of_vertical_ = false;
 };
 
 }  // namespace PITBENCH_ISA

@@ -142,7 +142,9 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> inside_above,
       first += block;
     }
   }
-  Decide(d, first, n, inside_above, bits, margin_at, tail_at, contains);
+  if (first < n) {
+    Decide(d, first, n, inside_above, bits, margin_at, tail_at, contains);
+  }
 }
 
 // The points of a batch as two arrays. Of(exchanged, use) calls use(vectors),
@@ -180,61 +182,97 @@ struct PointsInTwoArrays {
   const T* py;
 };
 
-// Loops one_triangle and one_triangle_aos.
+template <class T>
+HWY_INLINE Corners<T> CornersOf(const Batch<T>& one_triangle) {
+  const Batch<T>& b = one_triangle;
+  return {*b.ax, *b.ay, *b.bx, *b.by, *b.cx, *b.cy};
+}
+
+// Writes the answers of one triangle by margin(u, v), which is given x as u and
+// y as v, or, exchanged, y and x.
+template <template <class> class PointsOf, class T, class Margin>
+static HWY_INLINE void WriteByMargin(const Batch<T>& batch, const Result<T>& to,
+                                     Boundary boundary, bool exchanged,
+                                     T inside_above, const Margin& margin) {
+  const Lanes<T> d;
+  const std::size_t n = batch.n;
+  const PointsOf<T> points(batch);
+  std::uint8_t* const bits = to.bits;
+  const Corners<T> corners = CornersOf(batch);
+  points.Of(exchanged, [=](auto vectors) HWY_ATTR {
+    WriteFiltered(
+        d, n, inside_above, bits,
+        [=](std::size_t i) HWY_ATTR { return vectors.At(d, i, margin); },
+        [=](std::size_t i, std::size_t count)
+            HWY_ATTR { return vectors.TailAt(d, i, count, margin); },
+        [=](std::size_t i) {
+          return ExactlyContains(boundary, corners, points.x(i), points.y(i));
+        });
+  });
+}
+
+template <template <class> class PointsOf, class T>
+static HWY_INLINE void WriteBySlopes(const Batch<T>& batch, const Result<T>& to,
+                                     Boundary boundary, bool exchanged,
+                                     const SlopeFilter<T>& slopes) {
+  using D = Lanes<T>;
+  slopes.Choose([&](auto form) HWY_ATTR {
+    const D d;
+    WriteByMargin<PointsOf>(batch, to, boundary, exchanged, slopes.inside_above,
+                            [=](Vec<D> x, Vec<D> y)
+                                HWY_ATTR { return form.Margin(d, x, y); });
+  });
+}
+
+// FilteredOneTriangle of a triangle with an edge that is steep.
+template <class T, template <class> class PointsOf>
+static HWY_NOINLINE void FilteredSteepTriangle(const Batch<T>& batch,
+                                               const Result<T>& to,
+                                               Boundary boundary) {
+  using D = Lanes<T>;
+  const D d;
+  const Corners<T> v = CornersOf(batch);
+  // With x and y exchanged the lines are flat that were steep.
+  const SlopeFilter<T> over_y({v.ay, v.ax, v.by, v.bx, v.cy, v.cx});
+  if (over_y.holds) {
+    WriteBySlopes<PointsOf>(batch, to, boundary, true, over_y);
+    return;
+  }
+  const AreaFilter<T> area(v);
+  if (area.holds) {
+    WriteByMargin<PointsOf>(batch, to, boundary, false, area.inside_above,
+                            [=](Vec<D> x, Vec<D> y)
+                                HWY_ATTR { return area.Margin(d, x, y); });
+  } else if (ExactOrientation(v) == 0) {
+    std::memset(to.bits, 0, BitBytes(batch.n));
+  } else {
+    HWY_ALIGN T all[6][kMaxLanes<D>];  // every lane has the same triangle
+    hn::Store(Set(d, v.ax), d, all[0]);
+    hn::Store(Set(d, v.ay), d, all[1]);
+    hn::Store(Set(d, v.bx), d, all[2]);
+    hn::Store(Set(d, v.by), d, all[3]);
+    hn::Store(Set(d, v.cx), d, all[4]);
+    hn::Store(Set(d, v.cy), d, all[5]);
+    const Triangles<D> same{d, all[0], all[1], all[2], all[3], all[4], all[5]};
+    WriteByMargin<PointsOf>(batch, to, boundary, false, T{0},
+                            [=](Vec<D> x, Vec<D> y) HWY_ATTR {
+                              return DeterminantMargin(d, same, x, y);
+                            });
+  }
+}
+
+// Loops one_triangle and one_triangle_aos. The lines over x are tried first: to
+// guess which lines are flatter would take longer than trying again the one
+// triangle in a hundred (f32, random in the unit square) that needs it.
 template <class T, template <class> class PointsOf>
 static HWY_NOINLINE void FilteredOneTriangle(const Batch<T>& batch,
                                              const Result<T>& to,
                                              Boundary boundary) {
-  using D = Lanes<T>;
-  const D d;
-  const std::size_t n = batch.n;
-  const PointsOf<T> points(batch);
-  std::uint8_t* const bits = to.bits;
-  const Corners<T> corners{*batch.ax, *batch.ay, *batch.bx,
-                           *batch.by, *batch.cx, *batch.cy};
-  // The same with x and y exchanged: its lines are steep where those are flat.
-  const Corners<T> mirrored{*batch.ay, *batch.ax, *batch.by,
-                            *batch.bx, *batch.cy, *batch.cx};
-  // margin(u, v) reads x from u and y from v, or, exchanged, y and x.
-  const auto write = [=](bool exchanged, T inside_above, auto margin) HWY_ATTR {
-    points.Of(exchanged, [=](auto vectors) HWY_ATTR {
-      WriteFiltered(
-          d, n, inside_above, bits,
-          [=](std::size_t i) HWY_ATTR { return vectors.At(d, i, margin); },
-          [=](std::size_t i, std::size_t count)
-              HWY_ATTR { return vectors.TailAt(d, i, count, margin); },
-          [=](std::size_t i) {
-            return ExactlyContains(boundary, corners, points.x(i), points.y(i));
-          });
-    });
-  };
-  const bool over_y = BetterOverY(corners);
-  const SlopeFilter<T> slopes(over_y ? mirrored : corners);
-  if (slopes.holds) {
-    slopes.Choose([=](auto form) HWY_ATTR {
-      write(over_y, slopes.inside_above,
-            [=](Vec<D> x, Vec<D> y) HWY_ATTR { return form.Margin(d, x, y); });
-    });
-    return;
-  }
-  const AreaFilter<T> area(corners);
-  if (area.holds) {
-    write(false, area.inside_above,
-          [=](Vec<D> x, Vec<D> y) HWY_ATTR { return area.Margin(d, x, y); });
-  } else if (ExactOrientation(corners) == 0) {
-    std::memset(bits, 0, BitBytes(n));
+  const SlopeFilter<T> slopes(CornersOf(batch));
+  if (HWY_LIKELY(slopes.holds)) {
+    WriteBySlopes<PointsOf>(batch, to, boundary, false, slopes);
   } else {
-    HWY_ALIGN T all[6][kMaxLanes<D>];  // every lane has the same triangle
-    hn::Store(Set(d, corners.ax), d, all[0]);
-    hn::Store(Set(d, corners.ay), d, all[1]);
-    hn::Store(Set(d, corners.bx), d, all[2]);
-    hn::Store(Set(d, corners.by), d, all[3]);
-    hn::Store(Set(d, corners.cx), d, all[4]);
-    hn::Store(Set(d, corners.cy), d, all[5]);
-    const Triangles<D> same{d, all[0], all[1], all[2], all[3], all[4], all[5]};
-    write(false, T{0}, [=](Vec<D> x, Vec<D> y) HWY_ATTR {
-      return DeterminantMargin(d, same, x, y);
-    });
+    FilteredSteepTriangle<T, PointsOf>(batch, to, boundary);
   }
 }
 

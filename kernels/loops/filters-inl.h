@@ -41,19 +41,6 @@ HWY_INLINE auto SignMask(V v) {
 }
 #endif
 
-// |x| of a number; std::abs would be an inline function that ISAs share.
-template <class N>
-HWY_INLINE N MagnitudeOf(N x) {
-  if constexpr (std::is_same_v<N, double>) {
-    return __builtin_fabs(x);
-  } else if constexpr (std::is_same_v<N, float>) {
-    return __builtin_fabsf(x);
-  } else {
-    return x < 0 ? -x : x;
-  }
-}
-HWY_INLINE Number<double> Magnitude(Number<double> x) { return MagnitudeOf(x); }
-
 // The edge functions of one triangle, turned so that they are positive inside,
 // and a bound on their errors.
 //
@@ -143,29 +130,6 @@ struct AreaFilter {
   }
 };
 
-// Whether lines over y are likely to be less steep than lines over x: where
-// some edge reaches less far along x than any does along y, vertical and
-// horizontal ones apart. A guess that spares divisions; no answer depends on
-// it.
-template <class T>
-HWY_INLINE bool BetterOverY(const Corners<T>& v) {
-  Number<T> least_run = std::numeric_limits<T>::infinity();
-  Number<T> least_rise = std::numeric_limits<T>::infinity();
-  const auto least = [](Number<T> so_far, Number<T> reach) {
-    reach = MagnitudeOf(reach);
-    const Number<T> less = HWY_MIN(so_far, reach);
-    return reach > 0 ? less : so_far;
-  };
-  const auto see = [&](Number<T> run, Number<T> rise) {
-    least_run = least(least_run, run);
-    least_rise = least(least_rise, rise);
-  };
-  see(Number<T>(v.bx) - Number<T>(v.ax), Number<T>(v.by) - Number<T>(v.ay));
-  see(Number<T>(v.cx) - Number<T>(v.bx), Number<T>(v.cy) - Number<T>(v.by));
-  see(Number<T>(v.ax) - Number<T>(v.cx), Number<T>(v.ay) - Number<T>(v.cy));
-  return least_run < least_rise;
-}
-
 // The edges of one triangle as lines over x, and a bound on their errors. The
 // margin of a point is the least of its distances along y from the lines, and
 // from a vertical edge along x.
@@ -174,21 +138,25 @@ HWY_INLINE bool BetterOverY(const Corners<T>& v) {
 // below −t only outside it, for all finite points.
 //
 // Let S and C be a line's exact slope and constant, s and c what T keeps of
-// them, X, Y, w and σ as there, so |C| ≤ |S|·X + Y. For f32, s and c are
-// rounded from double, and l = s·x + c is at most
-//   u·(|S·x| + |C|) + u·|S·x| + u·(|S·x| + |C|) ≤ σ·u·(5·|S|·X + 2·Y)
-// off (with FMA less). For f64, s is off by 3u·|S|, c by u·(5·|S|·X + Y), and
-// together it is σ·u·(11·|S|·X + 2·Y); shifted, c is rounded once more, for
-// u·(|S|·X + Y). That y − l is rounded changes nothing: rounding is monotone
-// and t a number of type T. The distance from a vertical edge has the right
-// sign. t is the largest of the three bounds, halves added for terms of order
-// u², and the smallest normal number times 1 + X for what underflows.
+// them, X, Y, w and σ as there, so |C| ≤ |S|·X + Y. What is rounded to l is off
+// from S·x + C by at most σe: for f32 s and c are rounded from double, so
+//   e = u·(2·|S|·X + Y),
+// for f64 s is off by 3u·|S| and c by u·(5·|S|·X + Y), so e = u·(8·|S|·X + Y);
+// u·|S|·X more where s·x is rounded by itself, and u·(|S|·X + Y) more where c
+// is rounded once more because it is shifted. What the last rounding adds need
+// not be known of all l, only of those near y. Where y is not below the exact
+// line, l is at most what y + σe rounds to, which is at most y + σe + u·(|y| +
+// σe); likewise where it is not above. So a distance has the wrong sign by at
+// most σt, with t = e + u·Y; that y − l is rounded changes nothing: rounding is
+// monotone and t a number of type T. The distance from a vertical edge has the
+// right sign. t is the largest of the three bounds, halves added for terms of
+// order u², and the smallest normal number times 1 + X for what underflows.
 //
 // Inside σ = 1, so no margin is as low as −t. Outside, as there, one w is at
-// most −N/2 with σ = 1 + 2N. Its distance is w·H, where H is how far the
-// triangle reaches from that edge along y: it is computed below −N·H/2 + t·(1 +
-// 2N), so below t where H > 4t. The code asks for 12t of an H that may be 4t
-// off. A vertical edge's is negative.
+// most −N/2 with σ = 1 + 2N, and y is N·H/2 beyond that edge's line, where H is
+// how far the triangle reaches from the edge along y. Where H > 4t that exceeds
+// the 2N·t by which σt exceeds t, so the margin is at most t. The code asks for
+// 12t of an H that may be 4t off. A vertical edge's margin is negative.
 //
 // Overflow: with |S| below the largest number and |S|·X + Y below a 512th of it
 // no line overflows for points in the triangle, and beside a line that does, a
@@ -245,40 +213,37 @@ struct SlopeFilter {
   // Calls use(margin) with the one that the triangle has.
   template <class Use>
   HWY_INLINE void Choose(const Use& use) const {
-    const auto& below = lines_.below;
-    const auto& above = lines_.above;
-    if (lines_.below_count == 2) {
-      use(TwoBelow{Below(below[0]), Below(below[1]), Above(above[0])});
-    } else if (lines_.above_count == 2) {
-      use(TwoAbove{Above(above[0]), Above(above[1]), Below(below[0])});
-    } else {
-      const Number<double> sign = lines_.right_of_vertical ? 1 : -1;
-      use(OneVertical{
-          Below(below[0]), Above(above[0]), static_cast<Number<T>>(sign),
-          static_cast<Number<T>>(shift_ - sign * lines_.vertical_x)});
-    }
+    using Edge = typename EdgeLines<T>::Line;
+    lines_.Choose(
+        [&](const Edge& pair0, const Edge& pair1, const Edge& above) HWY_ATTR {
+          use(TwoBelow{Below(pair0), Below(pair1), Above(above)});
+        },
+        [&](const Edge& pair0, const Edge& pair1, const Edge& below) HWY_ATTR {
+          use(TwoAbove{Above(pair0), Above(pair1), Below(below)});
+        },
+        [&](const Edge& below, const Edge& above, Number<T> vertical_x,
+            bool right) HWY_ATTR {
+          const Number<T> sign = right ? 1 : -1;
+          use(OneVertical{Below(below), Above(above), sign,
+                          shift_ - sign * vertical_x});
+        });
   }
 
  private:
   HWY_INLINE SlopeFilter(const Corners<T>& v, Number<double> area)
-      : lines_(v, area < 0 ? -1 : 1) {
+      : lines_(v, area < 0, true) {
     constexpr bool kFloat = std::is_same_v<T, float>;
     constexpr double kUnit = std::numeric_limits<T>::epsilon() / 2;
     constexpr double kMin = std::numeric_limits<T>::min();
     constexpr double kMax = std::numeric_limits<T>::max();
     const Number<double> x = MostOf(v.ax, v.bx, v.cx);
     const Number<double> y = MostOf(v.ay, v.by, v.cy);
-    Number<double> steepest = 0;
-    for (int k = 0; k < lines_.below_count; ++k) {
-      steepest = HWY_MAX(steepest, Magnitude(lines_.below[k].s));
-    }
-    for (int k = 0; k < lines_.above_count; ++k) {
-      steepest = HWY_MAX(steepest, Magnitude(lines_.above[k].s));
-    }
-    const double more = kShifted && !kFloat ? 1 : 0;
+    const auto steepest = static_cast<Number<double>>(lines_.Steepest());
+    const double apart = HWY_NATIVE_FMA ? 0 : 1;
+    const double more = kShifted ? 1 : 0;
     const Number<double> bound =
-        kUnit *
-            (((kFloat ? 5.5 : 11.5) + more) * steepest * x + (2.5 + more) * y) +
+        kUnit * (((kFloat ? 2.5 : 8.5) + apart + more) * steepest * x +
+                 (2.5 + more) * y) +
         kMin * (1 + x);
     const Number<T> t = static_cast<Number<T>>(bound);
     // The widest edge along x has the least reach along y.
@@ -287,7 +252,7 @@ struct SlopeFilter {
                         Magnitude(Number<double>(v.cx) - Number<double>(v.bx))),
                 Magnitude(Number<double>(v.ax) - Number<double>(v.cx)));
     const Number<double> reach = Magnitude(area) / width;
-    shift_ = kShifted ? static_cast<Number<double>>(t) : Number<double>(0);
+    shift_ = kShifted ? t : Number<T>(0);
     inside_above = static_cast<T>(kShifted ? 2 * t : t);
     holds = steepest < kMax && steepest * x + y < kMax / 512 &&
             reach * kMostUndecided >= bound && reach < kMax;
@@ -295,7 +260,7 @@ struct SlopeFilter {
 
   // Where t is a larger share of the triangle's reach, more points are left
   // undecided than the cheaper margin gains; it is far below a twelfth.
-  static constexpr double kMostUndecided = 0x1p-16;
+  static constexpr double kMostUndecided = 0x1p-13;
 
   static HWY_INLINE Number<double> Area(const Corners<T>& v) {
     const Number<double> ax = v.ax, ay = v.ay;
@@ -305,17 +270,15 @@ struct SlopeFilter {
                                           Number<double> c) {
     return HWY_MAX(HWY_MAX(Magnitude(a), Magnitude(b)), Magnitude(c));
   }
-  HWY_INLINE Line Below(const EdgeLines::Line& line) const {
-    return {static_cast<Number<T>>(line.s),
-            static_cast<Number<T>>(line.c - shift_)};
+  HWY_INLINE Line Below(const typename EdgeLines<T>::Line& line) const {
+    return {line.s, line.c - shift_};
   }
-  HWY_INLINE Line Above(const EdgeLines::Line& line) const {
-    return {static_cast<Number<T>>(line.s),
-            static_cast<Number<T>>(line.c + shift_)};
+  HWY_INLINE Line Above(const typename EdgeLines<T>::Line& line) const {
+    return {line.s, line.c + shift_};
   }
 
-  EdgeLines lines_;
-  Number<double> shift_;
+  EdgeLines<T> lines_;
+  Number<T> shift_;
 };
 
 // The margin of points that each have a triangle of their own: +1, −1 or an

@@ -40,8 +40,8 @@ template <class T, bool kFma>
 struct Line {
   Number<T> s, c;
 
-  HWY_INLINE explicit Line(const EdgeLines::Line& line)
-      : s(static_cast<Number<T>>(line.s)), c(static_cast<Number<T>>(line.c)) {}
+  HWY_INLINE explicit Line(const typename EdgeLines<T>::Line& line)
+      : s(line.s), c(line.c) {}
 
   template <class E>
   HWY_INLINE Vec<E> At(E e, Vec<E> x) const {
@@ -104,34 +104,34 @@ class EdgeSlope {
 
  public:
   HWY_INLINE EdgeSlope(D d, const Triangles<D>& t)
-      : lines_(Corners<T>{*t.ax, *t.ay, *t.bx, *t.by, *t.cx, *t.cy},
-               static_cast<Number<double>>(
-                   hn::GetLane(Winding(d, DoubleArea(t))))) {}
+      : EdgeSlope(d, t, DoubleArea(t)) {}
 
-  // Where the triangle contains nothing there are no lines, and no x is at
-  // least NaN.
+  // Where the triangle contains nothing, x is compared with NaN.
   template <class Walk>
   HWY_INLINE void Choose(const Walk& walk) const {
-    const auto& below = lines_.below;
-    const auto& above = lines_.above;
-    if (lines_.below_count == 2) {
-      walk(ThreeLines<T, kFma, true>{Form(below[0]), Form(below[1]),
-                                     Form(above[0])});
-    } else if (lines_.above_count == 2) {
-      walk(ThreeLines<T, kFma, false>{Form(above[0]), Form(above[1]),
-                                      Form(below[0])});
-    } else {
-      const Number<T> x = static_cast<Number<T>>(lines_.vertical_x);
-      const bool right = lines_.right_of_vertical;
-      const Number<T> nan = std::numeric_limits<T>::quiet_NaN();
-      const Number<T> least = lines_.below_count != 1 ? nan : right ? x : -x;
-      walk(OneVertical<T, kFma>{Form(below[0]), Form(above[0]),
-                                right ? T{0} : -T{0}, least});
-    }
+    using Edge = typename EdgeLines<T>::Line;
+    lines_.Choose(
+        [&](const Edge& pair0, const Edge& pair1, const Edge& above) HWY_ATTR {
+          walk(
+              ThreeLines<T, kFma, true>{Form(pair0), Form(pair1), Form(above)});
+        },
+        [&](const Edge& pair0, const Edge& pair1, const Edge& below) HWY_ATTR {
+          walk(ThreeLines<T, kFma, false>{Form(pair0), Form(pair1),
+                                          Form(below)});
+        },
+        [&](const Edge& below, const Edge& above, Number<T> x, bool right)
+            HWY_ATTR {
+              walk(OneVertical<T, kFma>{Form(below), Form(above),
+                                        right ? T{0} : -T{0}, right ? x : -x});
+            });
   }
 
  private:
-  EdgeLines lines_;
+  HWY_INLINE EdgeSlope(D d, const Triangles<D>& t, Vec<D> area)
+      : lines_(Corners<T>{*t.ax, *t.ay, *t.bx, *t.by, *t.cx, *t.cy},
+               hn::GetLane(area) < 0, hn::AllTrue(d, IsValidArea(d, area))) {}
+
+  EdgeLines<T> lines_;
 };
 
 template <class D>
