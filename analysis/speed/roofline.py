@@ -65,7 +65,7 @@ def roofs(limits: Limits, scalar: str) -> list[tuple[str, float]]:
     found: list[tuple[str, float]] = []
     for isa in isas:
         rate = limits.total_rate(isa, scalar)
-        if rate == rate and (not found or rate > 1.1 * found[-1][1]):
+        if rate == rate and (not found or rate > 1.2 * found[-1][1]):
             found.append((isa, rate))
     return found
 
@@ -145,24 +145,28 @@ def _draw_roofs(
         start = rate / widest if widest == widest else low_x
         axes.plot([max(start, low_x), high_x], [rate, rate], color="#555555", lw=1.1)
         axes.annotate(isa, (high_x, rate), (-3, 2), textcoords="offset points", **_TEXT)
-    if multiply_add == multiply_add:
+    if multiply_add < 0.95 * highest:  # else the roof is that of multiply-adds
+        start = max(multiply_add / widest, low_x) if widest == widest else low_x
         axes.plot(
-            [max(multiply_add / widest, low_x), high_x],
+            [start, high_x],
             [multiply_add, multiply_add],
             color="#8A8A8A",
             lw=0.8,
             dashes=(5, 3),
         )
+        room_above = all(not 1 <= rate / multiply_add < 1.25 for _, rate in tops)
         axes.annotate(
             "multiply-adds alone",
-            (max(multiply_add / widest, low_x), multiply_add),
-            (3, -2),
+            (high_x, multiply_add),
+            (-3, 2 if room_above else -2),
             textcoords="offset points",
-            fontsize=7,
-            color="#555555",
-            ha="left",
-            va="top",
+            **(_TEXT | {"va": "bottom" if room_above else "top"}),
         )
+    box = axes.get_window_extent()
+    steep = math.atan(
+        (box.height / math.log(axes.get_ylim()[1] / low_y))
+        / (box.width / math.log(high_x / low_x))
+    )
     for place, (level, bandwidth) in enumerate(sides):
         ends = (max(low_x, low_y / bandwidth), min(high_x, highest / bandwidth))
         if ends[0] >= ends[1]:
@@ -174,20 +178,20 @@ def _draw_roofs(
             lw=0.9,
             linestyle=_SLOPES[min(place, len(_SLOPES) - 1)],
         )
-        box = axes.get_window_extent()
-        steep = math.degrees(
-            math.atan(
-                (box.height / math.log(axes.get_ylim()[1] / low_y))
-                / (box.width / math.log(high_x / low_x))
-            )
-        )
+        # Below its line, where the one below leaves room; else above it, and as
+        # much further along as keeps it off the axis.
+        crowded = any(bandwidth / 1.6 < other < bandwidth for _, other in sides)
+        along, across = (17, 2) if crowded else (5, -2)
         axes.annotate(
             f"{level} {significant(bandwidth / 1e9)} GB/s",
-            (1.05 * ends[0], bandwidth * 1.05 * ends[0]),
-            (-2, 4),
+            (ends[0], bandwidth * ends[0]),
+            (
+                along * math.cos(steep) - across * math.sin(steep),
+                along * math.sin(steep) + across * math.cos(steep),
+            ),
             textcoords="offset points",
-            rotation=steep,
-            va="bottom",
+            rotation=math.degrees(steep),
+            va="bottom" if crowded else "top",
             rotation_mode="anchor",
             fontsize=7,
             color="#666666",
