@@ -67,6 +67,7 @@ class EdgeLines {
       const auto& left = ends[turned];
       lines_[k] = {static_cast<Number<T>>(s),
                    static_cast<Number<T>>(left[1] - s * left[0])};
+      steepest_ = k == 0 ? MagnitudeOf(s) : HWY_MAX(steepest_, MagnitudeOf(s));
       leftward |= turned << k;
       if (HWY_UNLIKELY(run == 0)) vertical |= 1U << k;
     };
@@ -84,11 +85,8 @@ class EdgeLines {
     }
   }
 
-  // The largest |s|.
-  HWY_INLINE Number<T> Steepest() const {
-    return HWY_MAX(HWY_MAX(MagnitudeOf(lines_[0].s), MagnitudeOf(lines_[1].s)),
-                   MagnitudeOf(lines_[2].s));
-  }
+  // The largest |s|, before it was rounded to T.
+  HWY_INLINE Number<double> Steepest() const { return steepest_; }
 
   // Calls the one that the triangle has: two_below(pair0, pair1, above),
   // two_above(pair0, pair1, below), or one_vertical(below, above, x, right)
@@ -120,14 +118,18 @@ class EdgeLines {
     const unsigned others = above_ & ~vertical & 7;
     const bool one_each = others != 0 && (others | vertical) != 7;
     if ((vertical != 1 && vertical != 2 && vertical != 4) || !one_each) return;
-    lines_[edge] = {0, 0};
+    const auto steepness = [this](unsigned k) {
+      return static_cast<Number<double>>(MagnitudeOf(lines_[k].s));
+    };
     above_index_ = others >> 1;
     below_index_ = 3 - edge - above_index_;
+    steepest_ = HWY_MAX(steepness(below_index_), steepness(above_index_));
     vertical_x_ = static_cast<Number<T>>(x[edge]);
     right_of_vertical_ = (y[(edge + 1) % 3] < y[edge]) != clockwise;
   }
 
   Line lines_[3];
+  Number<double> steepest_;
   unsigned above_;  // bit k: edge k does
   bool has_vertical_ = false;
   // If so:

@@ -196,12 +196,14 @@ TEST(OperationsTest, InverseMatrixTakesSixProductsAPointAndNotNine) {
 }
 
 TEST(OperationsTest, ExactTakesThreeMultiplyAddsAPointAsLinesDo) {
-  // One comparison in eight vectors asks whether all are decided.
+  // Two more take y from the lines and scale it. One comparison in eight
+  // vectors asks whether all are decided, of what an operation for two vectors
+  // keeps.
   EXPECT_EQ(PerPoint("edge_slope_fma"),
             (Named{{"multiply_add", 3}, {"min_max", 1}, {"compare", 2}}));
-  EXPECT_EQ(PerPoint("exact"), (Named{{"multiply_add", 3},
-                                      {"add", 2},
-                                      {"min_max", 3},
+  EXPECT_EQ(PerPoint("exact"), (Named{{"multiply_add", 3 + 2},
+                                      {"min_max", 2},
+                                      {"logic", 0.5},
                                       {"compare", 1.125}}));
 }
 

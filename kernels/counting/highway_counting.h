@@ -107,13 +107,6 @@ V Max(const V& a, const V& b) {
   return Binary<V>(Kind::kMinMax, Code::kMax, a, b,
                    [](T x, T y) { return x > y ? x : y; });
 }
-// min(nearest, |margin|), `nearest` where the margin is NaN (vrangeps).
-template <class V>
-V MinMagnitude(const V& nearest, const V& margin) {
-  using T = typename V::T;
-  return Binary<V>(Kind::kMinMax, Code::kMinMagnitude, nearest, margin,
-                   [](T x, T y) { return std::abs(y) < x ? std::abs(y) : x; });
-}
 
 // --- comparisons ------------------------------------------------------------
 
@@ -179,6 +172,21 @@ template <class V>
 V Xor(const V& a, const V& b) {
   return Bitwise(
       Code::kXor, a, b, [](auto x, auto y) { return x ^ y; }, true);
+}
+// a & b & c, one instruction (vpternlogq).
+template <class V>
+V AndOfThree(const V& a, const V& b, const V& c) {
+  V out = And(a, And(b, c));
+  out.id = Note<typename V::T>(Kind::kLogic, Code::kAndOfThree, V::kLanes, a.id,
+                               b.id, c.id);
+  return out;
+}
+// Whether the one bit that b has is in a.
+template <class V>
+MaskOf<typename V::T, V::kLanes> TestBit(const V& a, const V& b) {
+  using T = typename V::T;
+  return Binary<MaskOf<T, V::kLanes>>(Kind::kCompare, Code::kTestBit, a, b,
+                                      [](T x, T y) { return (x & y) != 0; });
 }
 // b without what is in a.
 template <class V>

@@ -16,27 +16,54 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-// min(nearest, |margin|), where `nearest` is not NaN; a margin that is NaN is
-// passed over, or makes the result NaN.
 #if defined(PITBENCH_COUNTING)
-using hn::MinMagnitude;
+using hn::AndOfThree;
 #elif HWY_TARGET == HWY_AVX3
-HWY_INLINE hn::Vec512<float> MinMagnitude(hn::Vec512<float> nearest,
-                                          hn::Vec512<float> margin) {
-  constexpr int kLeastMagnitudeSignCleared = 0b1010;
-  return {_mm512_range_ps(margin.raw, nearest.raw, kLeastMagnitudeSignCleared)};
-}
-HWY_INLINE hn::Vec512<double> MinMagnitude(hn::Vec512<double> nearest,
-                                           hn::Vec512<double> margin) {
-  constexpr int kLeastMagnitudeSignCleared = 0b1010;
-  return {_mm512_range_pd(margin.raw, nearest.raw, kLeastMagnitudeSignCleared)};
+template <class V>
+HWY_INLINE V AndOfThree(V a, V b, V c) {
+  constexpr int kAnd = 0x80;
+  const hn::RebindToSigned<hn::DFromV<V>> di;
+  const auto bits =
+      _mm512_ternarylogic_epi64(hn::BitCast(di, a).raw, hn::BitCast(di, b).raw,
+                                hn::BitCast(di, c).raw, kAnd);
+  return hn::BitCast(hn::DFromV<V>(), Vec<decltype(di)>{bits});
 }
 #else
 template <class V>
-HWY_INLINE V MinMagnitude(V nearest, V margin) {
-  return hn::Min(Abs(margin), nearest);
+HWY_INLINE V AndOfThree(V a, V b, V c) {
+  return hn::And(a, hn::And(b, c));
 }
 #endif
+
+// What tells of the margins of a block whether all decide: scaled, the and of
+// their bits, which AVX-512 makes of two margins in one instruction; else their
+// least magnitude, where a margin that is NaN is passed over. Where margins are
+// shifted, DecidedBits tells it instead.
+template <class D>
+HWY_INLINE Vec<D> OfNoMargin(D d) {
+  using Limits = std::numeric_limits<TFromD<D>>;
+  return Set(d, kScaled ? Limits::infinity() : Limits::max());
+}
+template <class V>
+HWY_INLINE V WithMargins(V so_far, V margin0, V margin1) {
+  if constexpr (kScaled) {
+    return AndOfThree(so_far, margin0, margin1);
+  } else {
+    return hn::Min(Abs(margin1), hn::Min(Abs(margin0), so_far));
+  }
+}
+template <class D>
+HWY_INLINE bool AllDecided(D d, Vec<D> of_all, TFromD<D> inside_above) {
+  if constexpr (kScaled) {
+    const hn::RebindToSigned<D> di;
+    using I = TFromD<decltype(di)>;
+    constexpr I kHighestOfExponent = I{1} << (8 * sizeof(I) - 2);
+    return hn::AllTrue(di, hn::TestBit(hn::BitCast(di, of_all),
+                                       hn::Set(di, kHighestOfExponent)));
+  } else {
+    return hn::AllTrue(d, Gt(of_all, Set(d, inside_above)));
+  }
+}
 
 // Which lanes a margin decides, as bits. `inside` are those that it says are
 // inside.
@@ -104,7 +131,8 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> inside_above,
     for (; first < whole; first += block) {
       const auto threshold = Set(d, inside_above);
       std::uint8_t* const to = bits + first / 8;
-      auto nearest = Set(d, std::numeric_limits<TFromD<D>>::max());
+      auto of_all = OfNoMargin(d);
+      auto first_of_two = Set(d, TFromD<D>{0});
       std::uint64_t all_decided = 0xFF;
 #pragma GCC unroll 8
       for (std::size_t i = 0; i < block; i += step) {
@@ -118,7 +146,11 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> inside_above,
             byte |= in << j;
             decided_byte |= DecidedBits(d, margin, in, inside_above) << j;
           } else {
-            nearest = MinMagnitude(nearest, margin);
+            if ((i + j) / lanes % 2 == 0) {
+              first_of_two = margin;
+            } else {
+              of_all = WithMargins(of_all, first_of_two, margin);
+            }
             if (lanes >= 8) {
               hn::StoreMaskBits(d, inside, to + i / 8);
             } else {
@@ -132,8 +164,8 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> inside_above,
         // which takes more registers than there are.
         if (kShifted && lanes < 8) asm("" : "+r"(all_decided));
       }
-      decided = kShifted ? all_decided == 0xFF
-                         : hn::AllTrue(d, Gt(nearest, threshold));
+      decided =
+          kShifted ? all_decided == 0xFF : AllDecided(d, of_all, inside_above);
       if (HWY_UNLIKELY(!decided)) break;
     }
     if (!decided) {

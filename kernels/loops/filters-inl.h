@@ -4,7 +4,10 @@
 // A filter gives each item a margin: above t it is inside, below −t it is not,
 // and between nothing is decided. Where the sign bits of a vector are had for
 // one instruction and the smaller magnitude is not, margins are shifted up by
-// t: a sign bit says outside, and above 2t is inside (kShifted).
+// t: a sign bit says outside, and above 2t is inside (kShifted). Elsewhere, if
+// there are fused multiply-adds, margins are multiplied by a power of two that
+// makes t at least 1 and less than 2: what is decided, from ±2 on, has the
+// highest bit of its exponent set (kScaled).
 //
 // Two filters are static: a bound on the error of what is computed for a point,
 // known once for a triangle and good for every finite point, so that a point
@@ -41,6 +44,44 @@ HWY_INLINE auto SignMask(V v) {
 }
 #endif
 
+inline constexpr bool kScaled = HWY_NATIVE_FMA && !kShifted;
+
+// Above it an item is inside, where a filter has this t.
+template <class T>
+HWY_INLINE T InsideAbove(Number<T> t) {
+  constexpr T kBelowTwo = 2 - std::numeric_limits<T>::epsilon();
+  return kScaled ? kBelowTwo : static_cast<T>(kShifted ? 2 * t : t);
+}
+
+// The power of two that margins are multiplied by, where t is bound rounded to
+// T: its exponent is that of bound with the opposite sign. Where bound is as
+// large as T's largest numbers it is 0, or no number. In a vector's integers,
+// since the set-up waits for it.
+template <class T, class Wide>
+HWY_INLINE Number<T> MarginScale(Wide bound) {
+  if constexpr (!kScaled) {
+    return 1;
+  } else if constexpr (!std::is_same_v<Wide, double>) {
+    // Counted: the power alone.
+    const double wide = static_cast<double>(bound);
+    return static_cast<T>(std::ldexp(1.0, -std::ilogb(wide)));
+  } else {
+    constexpr bool kFloat = std::is_same_v<T, float>;
+    constexpr std::uint64_t kBiases = 1023 + (kFloat ? 127 : 1023);
+    const hn::CappedTag<Wide, 1> dw;
+    const hn::RebindToUnsigned<decltype(dw)> du;
+    const auto exponent = hn::And(hn::BitCast(du, hn::Set(dw, bound)),
+                                  hn::Set(du, std::uint64_t{0x7FF} << 52));
+    const auto scale = hn::Sub(hn::Set(du, kBiases << 52), exponent);
+    if constexpr (kFloat) {
+      const hn::Repartition<float, decltype(dw)> df;
+      return hn::GetLane(hn::BitCast(df, hn::ShiftRight<52 - 23>(scale)));
+    } else {
+      return hn::GetLane(hn::BitCast(dw, scale));
+    }
+  }
+}
+
 // The edge functions of one triangle, turned so that they are positive inside,
 // and a bound on their errors.
 //
@@ -70,7 +111,11 @@ HWY_INLINE auto SignMask(V v) {
 // Overflow: points in the triangle keep all terms below 2·(S_0 + S_1 + k),
 // which is asked to be an eighth of the largest number. So an e that overflows
 // belongs to a point outside; if e0 or e1 is +∞, e2 is −∞ or NaN; and m is NaN
-// where e2 is, which is never inside.
+// where e2 is, which is never inside. Scaled, these terms are below 2/u
+// times 2.
+//
+// Scaled, a coefficient may underflow, by less than 2^-20 of t for points in
+// the triangle, or overflow, which the code asks.
 template <class T>
 struct AreaFilter {
   Number<T> a0, b0, c0, a1, b1, c1, k;
@@ -104,22 +149,29 @@ struct AreaFilter {
                                         : (8.5 + more) * edges +
                                               (5.5 + more) * (area * sign) +
                                               4.5 * products;
+    const Number<double> wide_t =
+        kUnit * bound + static_cast<double>(std::numeric_limits<T>::min());
     // As T has it, so that all uses of it agree.
-    const Number<T> t = static_cast<Number<T>>(
-        kUnit * bound + static_cast<double>(std::numeric_limits<T>::min()));
+    const Number<T> t = static_cast<Number<T>>(wide_t);
     const Number<double> shift =
         kShifted ? static_cast<Number<double>>(t) : Number<double>(0);
-    a0 = static_cast<Number<T>>(a0_wide);
-    b0 = static_cast<Number<T>>(b0_wide);
-    c0 = static_cast<Number<T>>(shift - (a0_wide * ax + b0_wide * ay));
-    a1 = static_cast<Number<T>>(a1_wide);
-    b1 = static_cast<Number<T>>(b1_wide);
-    c1 = static_cast<Number<T>>(shift - (a1_wide * bx + b1_wide * by));
-    k = static_cast<Number<T>>(area * sign + 3 * shift);
-    inside_above = static_cast<T>(kShifted ? 2 * t : t);
-    // An area that is NaN fails both.
-    holds = size < static_cast<double>(std::numeric_limits<T>::max()) / 8 &&
-            static_cast<Number<T>>(area * sign) >= 6 * t;
+    const Number<double> scale =
+        static_cast<Number<double>>(MarginScale<T>(wide_t));
+    const auto scaled = [scale](Number<double> wide) {
+      return static_cast<Number<T>>(kScaled ? wide * scale : wide);
+    };
+    a0 = scaled(a0_wide);
+    b0 = scaled(b0_wide);
+    c0 = scaled(shift - (a0_wide * ax + b0_wide * ay));
+    a1 = scaled(a1_wide);
+    b1 = scaled(b1_wide);
+    c1 = scaled(shift - (a1_wide * bx + b1_wide * by));
+    k = scaled(area * sign + 3 * shift);
+    inside_above = InsideAbove<T>(t);
+    constexpr double kMax = std::numeric_limits<T>::max();
+    // An area that is NaN fails.
+    holds = size < kMax / 8 && static_cast<Number<T>>(area * sign) >= 6 * t &&
+            (!kScaled || 2 * (x + y) * scale < kMax);
   }
 
   template <class D>
@@ -164,6 +216,14 @@ struct AreaFilter {
 // x: lines below and above are infinite in the wrong order or equal to y, so
 // that a distance is −∞ or NaN; MinOrSecond keeps the NaN of the two lines that
 // are taken together.
+//
+// Scaled, s must not overflow, which the code asks; what underflows there is
+// less than 2^-20 of t for points in the triangle. Lines overflow sooner, but
+// only beyond the triangle, where those that meet in its last vertex are in the
+// wrong order. Their slopes differ by H/(2·X) or more, and t ≥ 2.5u·|S|·X is
+// asked to be less than a 2¹³th of H, so the lines differ by more than 10⁴·u of
+// themselves: where the one above is +∞ so is the one below it, where that one
+// is −∞ so is the one above, and the margin is −∞.
 template <class T>
 struct SlopeFilter {
   struct Line {
@@ -175,32 +235,55 @@ struct SlopeFilter {
     }
   };
 
+  // How far a line lies above y, and y above a line.
+  template <class D>
+  static HWY_INLINE Vec<D> Above(D d, Number<T> scale, Vec<D> line, Vec<D> y) {
+    if constexpr (kScaled) {
+      return NegMulAdd(Set(d, scale), y, line);
+    } else {
+      return Sub(line, y);
+    }
+  }
+  template <class D>
+  static HWY_INLINE Vec<D> Below(D d, Number<T> scale, Vec<D> line, Vec<D> y) {
+    if constexpr (kScaled) {
+      return MulSub(Set(d, scale), y, line);
+    } else {
+      return Sub(y, line);
+    }
+  }
+
   // Margins for each way in which the lines may lie.
   struct TwoBelow {
     Line below0, below1, above;
+    Number<T> scale;
     template <class D>
     HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
       const auto most = hn::Max(below0.At(d, x), below1.At(d, x));
-      return MinOrSecond(Sub(above.At(d, x), y), Sub(y, most));
+      return MinOrSecond(Above(d, scale, above.At(d, x), y),
+                         Below(d, scale, most, y));
     }
   };
   struct TwoAbove {
     Line above0, above1, below;
+    Number<T> scale;
     template <class D>
     HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
       const auto least = hn::Min(above0.At(d, x), above1.At(d, x));
-      return MinOrSecond(Sub(y, below.At(d, x)), Sub(least, y));
+      return MinOrSecond(Below(d, scale, below.At(d, x), y),
+                         Above(d, scale, least, y));
     }
   };
   struct OneVertical {
     Line below, above;
-    Number<T> sign,
-        offset;  // the distance from the vertical edge: sign·x + offset
+    // The distance from the vertical edge: sign·x + offset.
+    Number<T> sign, offset;
+    Number<T> scale;
     template <class D>
     HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
       const auto across = Add(Mul(Set(d, sign), x), Set(d, offset));
-      return MinOrSecond(hn::Min(Sub(above.At(d, x), y), across),
-                         Sub(y, below.At(d, x)));
+      return MinOrSecond(hn::Min(Above(d, scale, above.At(d, x), y), across),
+                         Below(d, scale, below.At(d, x), y));
     }
   };
 
@@ -216,16 +299,18 @@ struct SlopeFilter {
     using Edge = typename EdgeLines<T>::Line;
     lines_.Choose(
         [&](const Edge& pair0, const Edge& pair1, const Edge& above) HWY_ATTR {
-          use(TwoBelow{Below(pair0), Below(pair1), Above(above)});
+          use(TwoBelow{LineBelow(pair0), LineBelow(pair1), LineAbove(above),
+                       scale_});
         },
         [&](const Edge& pair0, const Edge& pair1, const Edge& below) HWY_ATTR {
-          use(TwoAbove{Above(pair0), Above(pair1), Below(below)});
+          use(TwoAbove{LineAbove(pair0), LineAbove(pair1), LineBelow(below),
+                       scale_});
         },
         [&](const Edge& below, const Edge& above, Number<T> vertical_x,
             bool right) HWY_ATTR {
           const Number<T> sign = right ? 1 : -1;
-          use(OneVertical{Below(below), Above(above), sign,
-                          shift_ - sign * vertical_x});
+          use(OneVertical{LineBelow(below), LineAbove(above), Scaled(sign),
+                          Scaled(shift_ - sign * vertical_x), scale_});
         });
   }
 
@@ -238,29 +323,33 @@ struct SlopeFilter {
     constexpr double kMax = std::numeric_limits<T>::max();
     const Number<double> x = MostOf(v.ax, v.bx, v.cx);
     const Number<double> y = MostOf(v.ay, v.by, v.cy);
-    const auto steepest = static_cast<Number<double>>(lines_.Steepest());
+    const Number<double> steepest = lines_.Steepest();
     const double apart = HWY_NATIVE_FMA ? 0 : 1;
     const double more = kShifted ? 1 : 0;
+    const double of_slope = kUnit * ((kFloat ? 2.5 : 8.5) + apart + more);
     const Number<double> bound =
-        kUnit * (((kFloat ? 2.5 : 8.5) + apart + more) * steepest * x +
-                 (2.5 + more) * y) +
-        kMin * (1 + x);
+        steepest * (of_slope * x) + (kUnit * (2.5 + more) * y + kMin * (1 + x));
     const Number<T> t = static_cast<Number<T>>(bound);
     // The widest edge along x has the least reach along y.
     const Number<double> width =
         HWY_MAX(HWY_MAX(Magnitude(Number<double>(v.bx) - Number<double>(v.ax)),
                         Magnitude(Number<double>(v.cx) - Number<double>(v.bx))),
                 Magnitude(Number<double>(v.ax) - Number<double>(v.cx)));
-    const Number<double> reach = Magnitude(area) / width;
+    const Number<double> size = Magnitude(area);  // reach times width
     shift_ = kShifted ? t : Number<T>(0);
-    inside_above = static_cast<T>(kShifted ? 2 * t : t);
+    scale_ = MarginScale<T>(bound);
+    inside_above = InsideAbove<T>(t);
     holds = steepest < kMax && steepest * x + y < kMax / 512 &&
-            reach * kMostUndecided >= bound && reach < kMax;
+            size * kMostUndecided >= bound * width && size > kLeast &&
+            size < std::numeric_limits<double>::max() &&
+            (!kScaled || steepest * static_cast<Number<double>>(scale_) < kMax);
   }
 
   // Where t is a larger share of the triangle's reach, more points are left
   // undecided than the cheaper margin gains; it is far below a twelfth.
   static constexpr double kMostUndecided = 0x1p-13;
+  // Where twice the area is smaller, products might underflow.
+  static constexpr double kLeast = 0x1p-1000;
 
   static HWY_INLINE Number<double> Area(const Corners<T>& v) {
     const Number<double> ax = v.ax, ay = v.ay;
@@ -270,22 +359,26 @@ struct SlopeFilter {
                                           Number<double> c) {
     return HWY_MAX(HWY_MAX(Magnitude(a), Magnitude(b)), Magnitude(c));
   }
-  HWY_INLINE Line Below(const typename EdgeLines<T>::Line& line) const {
-    return {line.s, line.c - shift_};
+  HWY_INLINE Number<T> Scaled(Number<T> value) const {
+    return kScaled ? value * scale_ : value;
   }
-  HWY_INLINE Line Above(const typename EdgeLines<T>::Line& line) const {
-    return {line.s, line.c + shift_};
+  HWY_INLINE Line LineBelow(const typename EdgeLines<T>::Line& line) const {
+    return {Scaled(line.s), Scaled(line.c - shift_)};
+  }
+  HWY_INLINE Line LineAbove(const typename EdgeLines<T>::Line& line) const {
+    return {Scaled(line.s), Scaled(line.c + shift_)};
   }
 
   EdgeLines<T> lines_;
   Number<T> shift_;
+  Number<T> scale_;
 };
 
-// The margin of points that each have a triangle of their own: +1, −1 or an
-// undecided +0, whether shifted or not. Each determinant (v − p) × (w − p) has
-// a bound of its own, 4u·(|l| + |r|) and the smallest normal number (see
-// exact/contains.cc). Inside where all three are certainly of one sign; outside
-// where two certainly differ.
+// The margin of points that each have a triangle of their own: +2, −2 or an
+// undecided +0, whether shifted, scaled or neither. Each determinant (v − p) ×
+// (w − p) has a bound of its own, 4u·(|l| + |r|) and the smallest normal number
+// (see exact/contains.cc). Inside where all three are certainly of one sign;
+// outside where two certainly differ.
 template <class D>
 HWY_INLINE Vec<D> DeterminantMargin(D d, const Triangles<D>& t, Vec<D> x,
                                     Vec<D> y) {
@@ -313,12 +406,12 @@ HWY_INLINE Vec<D> DeterminantMargin(D d, const Triangles<D>& t, Vec<D> x,
   const auto ca = certain(cx, cy, ax, ay);
   const auto least = hn::Min(hn::Min(ab, bc), ca);
   const auto most = hn::Max(hn::Max(ab, bc), ca);
-  const auto one = Set(d, T{1});
+  const auto two = Set(d, T{2});
   const auto outside = And(Lt(least, zero), Gt(most, zero));
   const auto inside = Or(Gt(least, zero), Lt(most, zero));
   // By masks alone: SSE4 blends in two instructions what it masks in one.
-  return Or(hn::IfThenElseZero(inside, one),
-            hn::IfThenElseZero(outside, Sub(zero, one)));
+  return Or(hn::IfThenElseZero(inside, two),
+            hn::IfThenElseZero(outside, Sub(zero, two)));
 }
 
 }  // namespace PITBENCH_ISA

@@ -5,8 +5,9 @@
 //   upper ones: inside; beyond one of them by more than t: outside;
 //   between, the signs of three determinants, exactly
 //
-// Set-up: three lines and the bound t. Per point: 3 MulAdd, 1 Max, 2
-// subtractions, 2 Min, 1 magnitude, 1 compare; the one in 10^5 or so uniform
+// Set-up: three lines and the bound t. Per point: 3 MulAdd and 2 that without
+// FMA are subtractions, 1 Max, 1 Min, 1 compare, and half an operation that asks
+// whether all of a block are decided; the one in 10^5 or so uniform
 // points that is undecided costs 3 determinants in double precision, and, where
 // these cannot tell either, in integers of as many bits as the exponents need.
 // Where a line would be too steep for a small t, edge functions take the place
