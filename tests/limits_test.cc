@@ -237,21 +237,27 @@ TEST(ProbesTest, OperationsAreCountedByLanesAndRounds) {
 // A loop that the compiler folded takes the same time for any number of rounds.
 TEST(ProbesTest, MoreRoundsTakeLonger) {
   constexpr std::size_t kRounds = PITBENCH_SLOW ? 100 : 1000;
-  const auto time = [](const OperationProbe& probe, std::size_t rounds) {
-    auto best = std::chrono::nanoseconds::max();
-    for (int k = 0; k < 5; ++k) {
+  // The least of ever more times, since other work may interrupt any of them.
+  const auto takes_longer = [](const OperationProbe& probe) {
+    auto few = std::chrono::nanoseconds::max();
+    auto many = std::chrono::nanoseconds::max();
+    const auto time = [&](std::size_t rounds, std::chrono::nanoseconds& least) {
       const auto start = std::chrono::steady_clock::now();
       probe.run(rounds);
-      best = std::min<std::chrono::nanoseconds>(
-          best, std::chrono::steady_clock::now() - start);
+      least = std::min<std::chrono::nanoseconds>(
+          least, std::chrono::steady_clock::now() - start);
+    };
+    for (int tries = 1; tries <= 50; ++tries) {
+      time(kRounds, few);
+      time(20 * kRounds, many);
+      if (tries >= 3 && many > 4 * few) return true;
     }
-    return best;
+    return false;
   };
   for (const OperationProbe& probe : OperationProbes()) {
     if (!RunsHere(probe.isa)) continue;
-    EXPECT_GT(time(probe, 20 * kRounds), 4 * time(probe, kRounds))
-        << Name(probe.operation) << " " << probe.scalar << " "
-        << Name(probe.isa);
+    EXPECT_TRUE(takes_longer(probe)) << Name(probe.operation) << " "
+                                     << probe.scalar << " " << Name(probe.isa);
   }
 }
 
