@@ -230,7 +230,8 @@ static HWY_INLINE void WriteByMargin(const Batch<T>& batch, const Result<T>& to,
   const std::size_t n = batch.n;
   const PointsOf<T> points(batch);
   std::uint8_t* const bits = to.bits;
-  const Corners<T> corners = CornersOf(batch);
+  // By address: few items need it, and a set-up without copies is shorter.
+  const Batch<T>* const b = &batch;
   points.Of(exchanged, [=](auto vectors) HWY_ATTR {
     WriteFiltered(
         d, n, inside_above, bits,
@@ -238,7 +239,8 @@ static HWY_INLINE void WriteByMargin(const Batch<T>& batch, const Result<T>& to,
         [=](std::size_t i, std::size_t count)
             HWY_ATTR { return vectors.TailAt(d, i, count, margin); },
         [=](std::size_t i) {
-          return ExactlyContains(boundary, corners, points.x(i), points.y(i));
+          const PointsOf<T> p(*b);
+          return ExactlyContains(boundary, CornersOf(*b), p.x(i), p.y(i));
         });
   });
 }
