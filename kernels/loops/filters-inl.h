@@ -111,11 +111,10 @@ HWY_INLINE Number<T> MarginScale(Wide bound) {
 // Overflow: points in the triangle keep all terms below 2·(S_0 + S_1 + k),
 // which is asked to be an eighth of the largest number. So an e that overflows
 // belongs to a point outside; if e0 or e1 is +∞, e2 is −∞ or NaN; and m is NaN
-// where e2 is, which is never inside. Scaled, these terms are below 2/u
-// times 2.
+// where e2 is, which is never inside.
 //
-// Scaled, a coefficient may underflow, by less than 2^-20 of t for points in
-// the triangle, or overflow, which the code asks.
+// Scaled, these terms are below 1/u. A coefficient may underflow, by less than
+// 2^-20 of t for points in the triangle, or overflow, which the code asks.
 template <class T>
 struct AreaFilter {
   Number<T> a0, b0, c0, a1, b1, c1, k;
