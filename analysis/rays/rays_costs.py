@@ -47,8 +47,8 @@ def add_ray_costs(exhibits: Exhibits, run: Run, scalars: list[str]) -> None:
         exhibits.table(
             "ray_operations",
             f"Operations of every method for rays, one triangle, {scalar}: per ray "
-            "and, below, per triangle (the set-up). Methods that are always right "
-            "are not counted: what they do depends on what the filter leaves."
+            "and, below, per triangle (the set-up). Of methods that are always "
+            "right it is what their filter takes, which decides every ray here."
             + (f" Instructions: executed per ray, compiled for {isa}." if isa else "")
             + " The CSV has logic, conversions, loads and stores as well.",
             counted,

@@ -25,13 +25,13 @@ namespace pitbench {
 // What CMake compiles for each ISA.
 #define PITBENCH_METHOD(key) std::span<const Kernel> key();
 namespace neon {
-#include "counted_methods.inc"
+#include "counted/methods.inc"
 }
 namespace sve {
-#include "counted_methods.inc"
+#include "counted/methods.inc"
 }
 namespace sve2 {
-#include "counted_methods.inc"
+#include "counted/methods.inc"
 }
 #undef PITBENCH_METHOD
 
@@ -47,15 +47,15 @@ std::vector<Kernel> KernelsFor(std::string_view isa) {
   };
   if (isa == "neon") {
 #define PITBENCH_METHOD(key) add(neon::key());
-#include "counted_methods.inc"
+#include "counted/methods.inc"
 #undef PITBENCH_METHOD
   } else if (isa == "sve") {
 #define PITBENCH_METHOD(key) add(sve::key());
-#include "counted_methods.inc"
+#include "counted/methods.inc"
 #undef PITBENCH_METHOD
   } else if (isa == "sve2") {
 #define PITBENCH_METHOD(key) add(sve2::key());
-#include "counted_methods.inc"
+#include "counted/methods.inc"
 #undef PITBENCH_METHOD
   }
   return all;

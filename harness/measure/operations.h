@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "harness/measure/rays/counting/ray_counting.h"
 #include "kernels/counting/counting.h"
 
 namespace pitbench {

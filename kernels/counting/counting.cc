@@ -1,25 +1,46 @@
 #include "kernels/counting/counting.h"
 
+#include <initializer_list>
+#include <vector>
+
 namespace pitbench {
 
-// Written by CMake from methods.inc.
-#define PITBENCH_METHOD(key) std::span<const Kernel> key();
+// counted/ is written by CMake from both methods.inc.
 namespace counting {
-#include "counted_methods.inc"
-}
+#define PITBENCH_METHOD(key) std::span<const Kernel> key();
+#include "counted/methods.inc"
 #undef PITBENCH_METHOD
+#define PITBENCH_METHOD(key) std::span<const RayKernel> ray_##key();
+#include "counted/rays/methods.inc"
+#undef PITBENCH_METHOD
+}  // namespace counting
+
+namespace {
+
+template <class K>
+std::vector<K> Joined(std::initializer_list<std::span<const K>> parts) {
+  std::vector<K> all;
+  for (const auto rows : parts) all.insert(all.end(), rows.begin(), rows.end());
+  return all;
+}
+
+}  // namespace
 
 std::span<const Kernel> CountingKernels() {
-  static const std::vector<Kernel> all = [] {
-    std::vector<Kernel> joined;
-    const auto add = [&joined](std::span<const Kernel> rows) {
-      joined.insert(joined.end(), rows.begin(), rows.end());
-    };
-#define PITBENCH_METHOD(key) add(counting::key());
-#include "counted_methods.inc"
+#define PITBENCH_METHOD(key) counting::key(),
+  static const std::vector<Kernel> all = Joined<Kernel>({
+#include "counted/methods.inc"
+  });
 #undef PITBENCH_METHOD
-    return joined;
-  }();
+  return all;
+}
+
+std::span<const RayKernel> CountingRayKernels() {
+#define PITBENCH_METHOD(key) counting::ray_##key(),
+  static const std::vector<RayKernel> all = Joined<RayKernel>({
+#include "counted/rays/methods.inc"
+  });
+#undef PITBENCH_METHOD
   return all;
 }
 

@@ -6,6 +6,7 @@
 
 #include "kernels/counting/tape.h"
 #include "kernels/kernels.h"
+#include "kernels/rays/ray_kernels.h"
 
 namespace pitbench {
 
@@ -14,6 +15,10 @@ namespace pitbench {
 // contract but for allocation and speed: each call writes what it did on
 // counting::CurrentTape().
 std::span<const Kernel> CountingKernels();
+
+// The same of AllRayKernels(). Not noted is what an exact method does with
+// integers for a ray that its filters leave.
+std::span<const RayKernel> CountingRayKernels();
 
 }  // namespace pitbench
 

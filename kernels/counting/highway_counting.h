@@ -315,6 +315,17 @@ Vec<D> UpperHalf(D, const Vector<TFromD<D>, 2 * D::kLanes>& v) {
   return out;
 }
 
+// Both halves as one (vinsertf32x8).
+template <class D, class V>
+Vec<D> Combine(D, const V& upper, const V& lower) {
+  Vec<D> out;
+  out.id = Note<TFromD<D>>(Kind::kConvert, Code::kCombine, D::kLanes, upper.id,
+                           lower.id);
+  std::copy_n(lower.lane.begin(), V::kLanes, out.lane.begin());
+  std::copy_n(upper.lane.begin(), V::kLanes, out.lane.begin() + V::kLanes);
+  return out;
+}
+
 // `v`, of which nothing is known from before: what is computed from it is
 // computed anew.
 template <class V>

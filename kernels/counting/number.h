@@ -50,6 +50,7 @@ enum class Code : std::uint32_t {
   kConvert,
   kUpperHalf,
   kJoin,
+  kCombine,
   kSumOfPairs,
   kIota,
   kFirstLanes,

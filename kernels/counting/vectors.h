@@ -130,6 +130,11 @@ template <class D>
 Vec<D> Zero(D d) {
   return Set(d, TFromD<D>{0});
 }
+// The sign bit of each lane.
+template <class D>
+Vec<D> SignBit(D d) {
+  return Set(d, TFromD<D>{-0.0});
+}
 template <class D>
 Vec<D> Iota(D, TFromD<D> first) {
   Vec<D> v;
@@ -196,6 +201,20 @@ Mask<D> FirstN(D, std::size_t n) {
   for (std::size_t i = 0; i < D::kLanes; ++i) mask.lane[i] = i < n;
   return mask;
 }
+// A mask from numbers that are not noted.
+template <class D>
+Mask<D> LoadMaskBits(D, const std::uint8_t* bits) {
+  Mask<D> mask;
+  std::uint64_t content = 0;
+  for (std::size_t i = 0; i < D::kLanes; ++i) {
+    mask.lane[i] = (bits[i / 8] >> i % 8 & 1) != 0;
+    content |= std::uint64_t{mask.lane[i]} << i;
+  }
+  mask.id = Note<TFromD<D>>(Kind::kFree, Code::kConstant, D::kLanes, 0, 0, 0,
+                            content);
+  return mask;
+}
+
 // A branch follows.
 template <class D>
 bool AllTrue(D, const Mask<D>& mask) {

@@ -37,7 +37,7 @@ class NearestExactly {
     auto u = t;
     auto v = t;
     method.Hit(one, FirstRay(b), ExactRange<T>(batch_), t, u, v);
-    const T at = hn::GetLane(t);
+    const auto at = static_cast<T>(hn::GetLane(t));
     // Twice what two t are off together, and what `at` may round to below.
     const T most_off = kShare * (Magnitude(at) + Magnitude(nearest_.t)) +
                        std::numeric_limits<T>::min();
