@@ -24,7 +24,8 @@ struct CountedKernel {
 // Runs one of CountingKernels() on n and on 2n random items, half of them
 // inside: what the second n took is per item, the rest per call.
 CountedKernel CountOperations(const Kernel& kernel);
-// The same of CountingRayKernels(), half of the rays hitting.
+// The same of CountingRayKernels(), half of the rays hitting; in loop one_ray
+// none.
 CountedKernel CountOperations(const RayKernel& kernel);
 
 // operations.json without its context: of those kernels whose

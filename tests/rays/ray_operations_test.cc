@@ -25,11 +25,12 @@ Key KeyOf(const RayKernel& k) {
 }
 
 // Additions, products, divisions and comparisons that are counted a ray, and
-// those of the set-up, of the f32 kernel of loop one_triangle_rays.
-CountedKernel Counted(std::string_view method) {
+// those of the set-up.
+CountedKernel Counted(std::string_view method, Scalar scalar = Scalar::kF32,
+                      RayLoop loop = RayLoop::kOneTriangleRays,
+                      RayOutput output = RayOutput::kHits) {
   for (const RayKernel& k : CountingRayKernels()) {
-    if (KeyOf(k) == Key(method, Scalar::kF32, RayLoop::kOneTriangleRays,
-                        RayOutput::kHits)) {
+    if (KeyOf(k) == Key(method, scalar, loop, output)) {
       return CountOperations(k);
     }
   }
@@ -137,15 +138,38 @@ TEST(RayOperationsTest, APairIsReadOnce) {
 // two ends of the range of two products each, the last one negated. The bounds:
 // 6 products for those of the weights and of t, 4 for the ends, each of which
 // is asked on both sides, and the largest of D and of S.
+// That is all, for the filter decides every ray that is counted.
 TEST(RayOperationsTest, TheExactFilterTakesThirtyTwoProductsARay) {
   const double in_sums = 3 + 4 * 2 + 2 + 3 + 2;
   const double products = 6 + 4 * 3 + 4 + 6 + 4;
-  EXPECT_EQ(Arithmetic(Counted("exact").per_item),
-            (Named{{"add", 3 + 2 + 1 + 4 + 1},
-                   {"multiply", products - in_sums},
-                   {"multiply_add", in_sums},
-                   {"min_max", 4 + 4},
-                   {"compare", 5}}));
+  for (const std::string_view method : {"exact", "exact_perturbed"}) {
+    for (const Scalar scalar : {Scalar::kF32, Scalar::kF64}) {
+      EXPECT_EQ(Arithmetic(Counted(method, scalar).per_item),
+                (Named{{"add", 3 + 2 + 1 + 4 + 1},
+                       {"multiply", products - in_sums},
+                       {"multiply_add", in_sums},
+                       {"min_max", 4 + 4},
+                       {"compare", 5}}))
+          << method << " " << Name(scalar);
+    }
+  }
+}
+
+// A bound of one_ray has to hold where nothing is hit: there a call takes,
+// beside its triangles, only how large the ray's D is, in one vector.
+TEST(RayOperationsTest, NoHitIsCountedForOneRay) {
+  for (const std::string_view method : {"exact", "exact_perturbed"}) {
+    for (const Scalar scalar : {Scalar::kF32, Scalar::kF64}) {
+      const CountedKernel counted =
+          Counted(method, scalar, RayLoop::kOneRay, RayOutput::kNearest);
+      EXPECT_GT(Arithmetic(counted.per_item).at("multiply_add"), 0);
+      EXPECT_EQ(Arithmetic(counted.per_item).count("divide"), 0u);
+      const double lanes = scalar == Scalar::kF32 ? 16 : 8;
+      EXPECT_EQ(Arithmetic(counted.per_call),
+                (Named{{"min_max", 2 * lanes}, {"multiply_add", lanes}}))
+          << method << " " << Name(scalar);
+    }
+  }
 }
 
 // N·O, N·D, u and v: two products and two sums each; N·O one sum more, and the
@@ -162,12 +186,9 @@ TEST(RayOperationsTest, TheKeptTransformationTakesTenProductsARay) {
 
 TEST(RayOperationsTest, WatertightDividesFourTimesARayAndOnceATriangleOfOne) {
   EXPECT_EQ(Arithmetic(Counted("watertight").per_item).at("divide"), 4);
-  for (const RayKernel& k : CountingRayKernels()) {
-    if (KeyOf(k) == Key("watertight", Scalar::kF32, RayLoop::kOneRay,
-                        RayOutput::kNearest)) {
-      EXPECT_EQ(Arithmetic(CountOperations(k).per_item).at("divide"), 1);
-    }
-  }
+  const CountedKernel one_ray = Counted("watertight", Scalar::kF32,
+                                        RayLoop::kOneRay, RayOutput::kNearest);
+  EXPECT_EQ(Arithmetic(one_ray.per_item).at("divide"), 1);
 }
 
 }  // namespace
