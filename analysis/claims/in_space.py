@@ -17,7 +17,7 @@ from analysis.claims.evidence import (
 from analysis.rays.rays_claims import WATERTIGHT, kept_break_evens
 from analysis.rays.rays_tables import BASE, KEPT, MAIN_LOOP, without_tuv
 from analysis.report.method_families import FMA_SUFFIX
-from analysis.report.wording import with_interval
+from analysis.report.wording import counted, with_interval
 from analysis.speed.break_even import break_even_words
 from analysis.speed.input_tables import of_comparisons
 from analysis.speed.tables import speed_cells
@@ -48,7 +48,7 @@ def transformed_beforehand(evidence: Evidence) -> Finding:
     for row in rows.to_dict("records"):
         place = f"on {row['isa']} {_of_form(row['method'])}"
         words.append(
-            f"{place} a call of {row['worst_n']:g} rays takes "
+            f"{place} a call of {counted(round(row['worst_n']), 'ray')} takes "
             f"{with_interval(row['worst'], row['worst_low'], row['worst_high'])} times as "
             f"long, and the transformation {_pays(row)}"
         )
