@@ -4,9 +4,9 @@ Kept: machine.json, sweep.json and methods.json; limits and operations, as they
 were; every repetition of every timed cell, to five digits; the counts of every
 judged cell, once for all ISAs that gave the same; the contexts of the speed
 shards; and what llvm-mca made of the loops. Left out, since no comparison uses
-it: iterations, CPU times and Google Benchmark's context; the worst inputs and
-the distances of wrong answers, which are the same on every machine that gives
-the same counts; the maps; and the instructions themselves.
+it: iterations and mean times; the worst inputs and the distances of wrong
+answers, which are the same on every machine that gives the same counts; the
+maps; and the instructions themselves.
 
 `load_stored` gives a Run like any other, whose frames have the same columns.
 """

@@ -134,6 +134,7 @@ def shard_of(name: str, context: dict[str, Any]) -> Shard:
         preemptions=float(context.get("preemptions", math.nan)),
         throughput_before_gops=float(context.get("throughput_before_gops", math.nan)),
         throughput_after_gops=float(context.get("throughput_after_gops", math.nan)),
+        quiet_share=float(context.get("quiet_share", math.nan)),
     )
 
 

@@ -123,6 +123,7 @@ class Shard:
     preemptions: float = math.nan
     throughput_before_gops: float = math.nan  # older files have none
     throughput_after_gops: float = math.nan
+    quiet_share: float = math.nan  # of the slices timed
 
     @property
     def clock_ghz(self) -> float:

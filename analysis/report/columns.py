@@ -60,7 +60,7 @@ def near_interval(key: str, title: str, hint: str = "") -> Column:
 def noise_mark(title: str = "noise") -> Column:
     """Why the row is noisy; nothing where it is not."""
     within = f"±{100 * TOLERANCE:.0f} %"
-    hint = f"wide: the interval leaves {within}; drifts: the repetitions do, in time"
+    hint = f"wide: the interval leaves {within}"
     return Column(title, lambda row: str(row["noise"]), numeric=False, hint=hint)
 
 
@@ -134,9 +134,13 @@ def items(title: str) -> Column:
     return Column(title, show, sort="items_per_second")
 
 
-def _cpu_share(row: Row) -> str:
-    known = row["cpu_share"] == row["cpu_share"]
-    return f"{100 * row['cpu_share']:.1f} %" if known else wording.NONE
+def _share_if_known(key: str, title: str, hint: str) -> Column:
+    """A share that older files do not tell."""
+
+    def show(row: Row) -> str:
+        return f"{100 * row[key]:.1f} %" if row[key] == row[key] else wording.NONE
+
+    return Column(title, show, sort=key, hint=hint)
 
 
 PLACE = (
@@ -244,11 +248,16 @@ SHARDS = (
         lambda row: f"{row['noisy_rows']} of {row['rows']}",
         sort="noisy_rows",
     ),
-    number("clock_before_ghz", "clock before, GHz"),
-    number("clock_after_ghz", "after, GHz"),
+    number("clock_before_ghz", "clock in the first half, GHz"),
+    number("clock_after_ghz", "in the second, GHz"),
     percent("clock_drift", "drift"),
+    _share_if_known(
+        "quiet_share",
+        "quiet",
+        "of its slices: nobody else used the core before and after",
+    ),
     Column("stolen", lambda row: f"{row['steal_percent']:.2f} %", sort="steal_percent"),
-    Column("had its CPU", _cpu_share, sort="cpu_share", hint="of the time"),
+    _share_if_known("cpu_share", "had its CPU", "of the time"),
     number("preemptions", "interruptions", "how often the CPU was taken from it"),
     Column("load", lambda row: f"{row['load_average']:.2f}", sort="load_average"),
     Column(

@@ -4,9 +4,11 @@ One tolerance, and several ways of leaving it. Pairs of rows of which the ratio
 is known must come out at it (analysis/trust/controls.py); the clock must not move by
 more between the start and the end of a shard, nor lie further from that of the
 other shards; what the CPU does in a cycle, measured beside the clock, which a
-neighbour on the same core's ports lowers, must not either; no more of the time may have been stolen by the hypervisor or
-given to other processes of the core, since a share s of lost time alone makes
-a repetition longer by s; and no more of a shard's rows may be noisy by
+neighbour on the same core's ports lowers, must not either; no more of the time
+may have been stolen by the hypervisor or given to other processes of the core,
+since a share s of lost time alone makes a repetition longer by s; most slices
+must have been timed while nobody else used the core (harness/measure/quiet.h);
+and no more of a shard's rows may be noisy by
 themselves than the share that intervals leave to chance anyway.
 """
 
@@ -30,6 +32,10 @@ __all__ = ["MOST_NOISY_ROWS", "TOLERANCE", "Reason", "Verdict", "judge"]
 # One in twenty: as many statements as intervals of 95 % get wrong by chance.
 # With more noisy rows than that, noise and not chance decides what is wrong.
 MOST_NOISY_ROWS = 1 - CONFIDENCE
+
+# A repetition takes the fastest of several passes, so with half of the slices
+# undisturbed nearly each has an undisturbed pass; with fewer, many have none.
+LEAST_QUIET_SHARE = 0.5
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,6 +85,7 @@ def judge(
             *_clock_reasons(shard, clock),
             *_throughput_reasons(shard, usual),
             *_lost_time_reasons(shard),
+            *_quiet_reasons(shard),
         ]
         if noisy > MOST_NOISY_ROWS * len(own):
             found.append(
@@ -95,6 +102,7 @@ def judge(
                 "cpu": shard.cpu,
                 "clock_before_ghz": shard.clock_before_ghz,
                 "clock_after_ghz": shard.clock_after_ghz,
+                "quiet_share": shard.quiet_share,
                 "clock_drift": shard.clock_after_ghz / shard.clock_before_ghz - 1,
                 "steal_percent": shard.steal_percent,
                 "cpu_share": _cpu_share(shard),
@@ -192,6 +200,15 @@ def _lost_time_reasons(shard: Shard) -> list[str]:
             "ran on the same core"
         )
     return found
+
+
+def _quiet_reasons(shard: Shard) -> list[str]:
+    if not shard.quiet_share < LEAST_QUIET_SHARE:  # nor where a file does not tell
+        return []
+    return [
+        f"only {100 * shard.quiet_share:.0f} % of its slices were timed while nobody "
+        f"else used the core (less than {100 * LEAST_QUIET_SHARE:.0f} %)"
+    ]
 
 
 def _cpu_share(shard: Shard) -> float:

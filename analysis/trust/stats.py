@@ -59,9 +59,9 @@ def ratio_interval(
     Mann-Whitney statistic: P(U < k) ≤ 2.5 %. For 9 and 9 repetitions k = 18
     (the tables' critical value 17, plus one).
 
-    Why not pairs by repetition: Google Benchmark shuffles all repetitions of
-    all cells of a shard, so the i-th of one cell and the i-th of another are
-    not neighbours in time, and what the shuffle does give is two independent
+    Why not pairs by repetition: the slices of all cells of a shard are shuffled
+    into each other, so the i-th of one cell and the i-th of another are not
+    neighbours in time, and what the shuffle does give is two independent
     samples from the same stretch of time. That is what this method needs, and
     the reason why both must come from one shard. Why not a bootstrap: at nine
     values the bootstrap interval of a median covers too little.

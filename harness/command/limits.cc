@@ -10,6 +10,7 @@
 #include "harness/measure/clock.h"
 #include "harness/measure/machine.h"
 #include "harness/measure/speed.h"
+#include "harness/measure/threads.h"
 
 namespace pitbench {
 namespace {
@@ -25,7 +26,7 @@ void Limits(const Arguments& a) {
   const std::vector<MemoryLevel> levels =
       MemoryLevels(DataCaches(machine.at("cpu").at("caches")),
                    machine.at("memory_bytes").get<std::size_t>());
-  const double clock_before = ClockGhz();
+  const double clock_before = MeasurePace().clock_ghz;
   nlohmann::json file = MeasureLimits(levels, filter, seconds, kRepetitions);
   const std::size_t count = file["memory"].size() + file["operations"].size();
   if (count == 0) {
@@ -37,7 +38,7 @@ void Limits(const Arguments& a) {
   file["context"] = Context("pitbench-limits-1", a);
   file["context"].update({{"cpu", cpu},
                           {"clock_before_ghz", clock_before},
-                          {"clock_after_ghz", ClockGhz()},
+                          {"clock_after_ghz", MeasurePace().clock_ghz},
                           {"seconds_per_sample", seconds},
                           {"repetitions", kRepetitions}});
   out.Commit(file.dump(1) + "\n");

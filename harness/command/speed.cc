@@ -11,6 +11,7 @@
 #include "harness/command/output.h"
 #include "harness/command/own_scenes.h"
 #include "harness/measure/clock.h"
+#include "harness/measure/threads.h"
 
 namespace pitbench {
 namespace {
@@ -22,8 +23,6 @@ void Speed(const Arguments& a) {
   const std::regex filter = Filter(a.filter);
   OutputFile out(a.out);
   const int cpu = PinToLastCpu();
-  const double clock_before = ClockGhz();
-  const double throughput_before = ThroughputGops();
   const double steal_before = StealSeconds();
   const auto start = std::chrono::steady_clock::now();
   SpeedRun run = a.triangles.empty()
@@ -34,17 +33,16 @@ void Speed(const Arguments& a) {
   if (run.cells == 0) NoCells(a);
   const std::chrono::duration<double> time =
       std::chrono::steady_clock::now() - start;
-  const double clock_after = ClockGhz();
-  const double throughput_after = ThroughputGops();
   std::array<double, 1> load{};
   getloadavg(load.data(), 1);
   json context = Context("pitbench-speed-1", a);
   context.update(
       {{"cpu", cpu},
-       {"clock_before_ghz", clock_before},
-       {"clock_after_ghz", clock_after},
-       {"throughput_before_gops", throughput_before},
-       {"throughput_after_gops", throughput_after},
+       {"clock_before_ghz", run.pace[0].clock_ghz},
+       {"clock_after_ghz", run.pace[1].clock_ghz},
+       {"throughput_before_gops", run.pace[0].throughput_gops},
+       {"throughput_after_gops", run.pace[1].throughput_gops},
+       {"quiet_share", run.quiet_share},
        {"steal_percent", 100 * (StealSeconds() - steal_before) / time.count()},
        {"load_average", load[0]},
        {"wall_seconds", run.occupancy.wall_seconds},

@@ -5,9 +5,10 @@
 //   - A limit is what the machine can do, so it is the best of the repetitions
 //     and not their median: whatever disturbs makes a sample slower, nothing
 //     makes it faster. The median is kept as well, to show how far apart.
-//   - A disturbance lasts longer than a sample. The repetitions of a probe are
-//     therefore spread over the whole measurement: all probes once, then all
-//     of them again.
+//   - A disturbance lasts longer than a sample. A repetition is therefore cut
+//     into slices, of which the best counts, and the repetitions of a probe are
+//     spread over the whole measurement: all probes once, then all of them
+//     again.
 //   - How many arrays are read at once changes what the prefetchers deliver;
 //     loads are measured with one, two and six, as the loops of the kernels
 //     read them. The limit is the largest.
@@ -43,7 +44,7 @@ std::vector<MemoryLevel> MemoryLevels(const std::vector<std::size_t>& caches,
 std::vector<std::size_t> DataCaches(const nlohmann::json& caches);
 
 // Measures the probes that run here and whose name (`add/f32/avx2`,
-// `load/L1/avx2`) the filter finds. A sample lasts about `seconds`. Returns the
+// `load/L1/avx2`) the filter finds. A repetition lasts about `seconds`. Returns the
 // members `levels`, `memory` and `operations` of limits.json
 // (harness/schema/limits.schema.json).
 nlohmann::json MeasureLimits(const std::vector<MemoryLevel>& levels,

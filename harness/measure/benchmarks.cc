@@ -1,100 +1,75 @@
 #include "harness/measure/benchmarks.h"
 
-#include <sstream>
-#include <string_view>
+#include <utility>
 
-#include "harness/measure/threads.h"
+#include "harness/measure/quiet.h"
 
 namespace pitbench {
 namespace {
 
-// The repetitions, their rates by the time that passed. Google Benchmark's are
-// by the time that the process had the CPU; but what passes is what a user
-// waits for, no bookkeeping of a scheduler or hypervisor can bend it, and the
-// limits of the machine are measured by it too. (UseRealTime would say the
-// same and become part of every name, as it does of those of several threads.)
-// Its aggregates are left out.
-nlohmann::json ByRealTime(const nlohmann::json& rows) {
-  constexpr std::string_view kClock = "/real_time";
-  nlohmann::json kept = nlohmann::json::array();
-  for (const nlohmann::json& row : rows) {
-    if (row.at("run_type") != "iteration") continue;
-    kept.push_back(row);
-    bool by_real_time = false;
-    for (const char* key : {"name", "run_name"}) {
-      if (!row.contains(key)) continue;
-      std::string name = row.at(key);
-      const std::size_t at = name.find(kClock);
-      if (at == std::string::npos) continue;
-      by_real_time = true;
-      kept.back()[key] = name.erase(at, kClock.size());
-    }
-    const auto rate = kept.back().find("items_per_second");
-    if (by_real_time || rate == kept.back().end()) continue;
-    *rate = rate->get<double>() * row.at("cpu_time").get<double>() /
-            row.at("real_time").get<double>();
-  }
-  return kept;
+using nlohmann::json;
+
+json RowOf(const std::string& name) {
+  return {{"name", name}, {"run_name", name}, {"run_type", "iteration"}};
 }
 
 }  // namespace
 
-Benchmarks::Benchmarks() { benchmark::ClearRegisteredBenchmarks(); }
-
-void Benchmarks::Add(const std::string& name, const Function& function) {
-  benchmark::RegisterBenchmark(name.c_str(), function)
-      ->Unit(benchmark::kNanosecond);
-}
-
-void Benchmarks::AddForThreads(const std::string& name,
-                               const Function& function) {
-  benchmark::internal::Benchmark* row =
-      benchmark::RegisterBenchmark(name.c_str(), function)
-          ->Unit(benchmark::kNanosecond)
-          ->UseRealTime();
-  for (const int threads : ThreadCounts()) row->Threads(threads);
+void Benchmarks::Add(const std::string& name, const TimedCalls& calls,
+                     const Work& work, int threads) {
+  rows_.push_back({name, work, threads});
+  calls_.push_back(calls);
 }
 
 void Benchmarks::Refuse(const std::string& name, const std::string& why) {
-  ++refused_;
-  Add(name,
-      [why](benchmark::State& state) { state.SkipWithError(why.c_str()); });
+  refusals_.push_back(RowOf(name));
+  refusals_.back()["error_occurred"] = true;
+  refusals_.back()["error_message"] = why;
 }
 
-// Flags and not settings of each benchmark: those would become part of its
-// name.
 SpeedRun Benchmarks::Run(double seconds) const {
   if (cells_ == 0) return {};
-  std::vector<std::string> flags = {
-      "pitbench", "--benchmark_enable_random_interleaving=true",
-      "--benchmark_repetitions=" + std::to_string(kRepetitions),
-      "--benchmark_min_time=" + std::to_string(seconds)};
-  std::vector<char*> argv;
-  argv.reserve(flags.size());
-  for (std::string& flag : flags) argv.push_back(flag.data());
-  int argc = static_cast<int>(argv.size());
-  benchmark::Initialize(&argc, argv.data());
-  std::ostringstream text;
-  benchmark::JSONReporter reporter;
-  reporter.SetOutputStream(&text);
-  reporter.SetErrorStream(&text);
   const OccupancyMeter meter;
-  benchmark::RunSpecifiedBenchmarks(&reporter);
+  std::array<Pace, 2> halves;
+  QuietPlace place;
+  const SliceTimes times = TimeInSlices(calls_, seconds, kRepetitions,
+                                        {.look = [&] { return place.Look(); },
+                                         .between =
+                                             [&](double done) {
+                                               Pace& half =
+                                                   halves[done < 0.5 ? 0 : 1];
+                                               half = Best(half, SamplePace());
+                                             }});
   const Occupancy occupancy = meter.Read();
-  nlohmann::json file = nlohmann::json::parse(text.str());
-  file["context"].erase("host_name");
-  file["context"].erase("executable");
-  file["benchmarks"] = ByRealTime(file["benchmarks"]);
-  return {file, cells_, refused_, occupancy};
-}
-
-void SetWork(benchmark::State& state, const Work& work) {
-  state.SetItemsProcessed(static_cast<std::int64_t>(
-      static_cast<std::size_t>(state.iterations()) * work.items));
-  state.counters["items"] = static_cast<double>(work.items);
-  state.counters["working_set_bytes"] = work.working_set_bytes;
-  state.counters["bytes_per_item"] = work.bytes_per_item;
-  state.counters["scene_bytes"] = work.scene_bytes;
+  json rows = json::array();
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const auto& [name, work, threads] = rows_[k];
+    for (std::size_t index = 0; index < times.rows[k].size(); ++index) {
+      const Repetition& repetition = times.rows[k][index];
+      json row = RowOf(name);
+      row["repetitions"] = kRepetitions;
+      row["repetition_index"] = index;
+      row["threads"] = threads;
+      row["iterations"] = repetition.calls;
+      row["real_time"] = 1e9 * repetition.call_seconds;
+      row["mean_time"] = 1e9 * repetition.mean_call_seconds;
+      row["time_unit"] = "ns";
+      row["items_per_second"] =
+          static_cast<double>(work.items) / repetition.call_seconds;
+      row["items"] = work.items;
+      row["working_set_bytes"] = work.working_set_bytes;
+      row["bytes_per_item"] = work.bytes_per_item;
+      row["scene_bytes"] = work.scene_bytes;
+      rows.push_back(std::move(row));
+    }
+  }
+  for (const json& refusal : refusals_) rows.push_back(refusal);
+  return {{{"context", json::object()}, {"benchmarks", std::move(rows)}},
+          cells_,
+          refusals_.size(),
+          occupancy,
+          halves,
+          times.quiet_share};
 }
 
 }  // namespace pitbench

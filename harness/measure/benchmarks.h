@@ -1,79 +1,104 @@
-// What is timed together: rows of Google Benchmark, run in random order.
+// What is timed together: the rows of one process.
 #ifndef PITBENCH_HARNESS_MEASURE_BENCHMARKS_H_
 #define PITBENCH_HARNESS_MEASURE_BENCHMARKS_H_
 
-#include <benchmark/benchmark.h>
-
+#include <array>
+#include <atomic>
+#include <chrono>
 #include <cstddef>
-#include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "harness/measure/clock.h"
 #include "harness/measure/occupancy.h"
+#include "harness/measure/slices.h"
 
 namespace pitbench {
 
 inline constexpr int kRepetitions = 9;
 
 struct SpeedRun {
-  nlohmann::json file;  // Google Benchmark's format, without "pitbench" in
-                        // its context
+  // Of the shape of Google Benchmark's files, without "pitbench" in its
+  // context.
+  nlohmann::json file;
   std::size_t cells = 0;
   std::size_t refused = 0;
-  Occupancy occupancy = {};  // while the cells were timed
+  // While the cells were timed; the pace in the first half of that and in the
+  // second.
+  Occupancy occupancy = {};
+  std::array<Pace, 2> pace = {};
+  double quiet_share = 0;  // of the slices, see slices.h
 };
-
-// The rows of one process. What they refer to has to live until Run returns.
-class Benchmarks {
- public:
-  using Function = std::function<void(benchmark::State&)>;
-
-  Benchmarks();
-
-  // A row, and how many of them are cells.
-  void Add(const std::string& name, const Function& function);
-  // A row for each number of threads, `…/threads:2`. By the time that passed,
-  // in the mean over the threads: that of a CPU does not tell how long it
-  // waited for another program.
-  void AddForThreads(const std::string& name, const Function& function);
-  // A cell that may not be timed, and why.
-  void Refuse(const std::string& name, const std::string& why);
-  void CountCell() { ++cells_; }
-
-  // Each sample lasts `seconds` at the least.
-  SpeedRun Run(double seconds) const;
-
- private:
-  std::size_t cells_ = 0;
-  std::size_t refused_ = 0;
-};
-
-// Times a kernel on one batch after the other. kCalls batches are timed as if
-// they were one. (Not the same one again, which would be in the caches as no
-// other is.)
-template <int kCalls, class Batch, class Result>
-void TimeBatches(benchmark::State& state,
-                 void (*run)(const Batch&, const Result&),
-                 const std::vector<Batch>& batches, const Result& result) {
-  std::size_t next = 0;
-  for (auto _ : state) {
-    for (int call = 0; call < kCalls; ++call) {
-      run(batches[next], result);
-      benchmark::ClobberMemory();
-      if (++next == batches.size()) next = 0;
-    }
-  }
-}
 
 // What a call does: items and bytes are sums over the threads.
 struct Work {
-  std::size_t items;  // of a call, or of this thread's part of it
+  std::size_t items;
   double working_set_bytes;
   double bytes_per_item;
   double scene_bytes;
 };
-void SetWork(benchmark::State& state, const Work& work);
+
+class Benchmarks {
+ public:
+  // A row of calls by as many threads, and how many of the rows are cells.
+  void Add(const std::string& name, const TimedCalls& calls, const Work& work,
+           int threads = 1);
+  // A cell that may not be timed, and why.
+  void Refuse(const std::string& name, const std::string& why);
+  void CountCell() { ++cells_; }
+
+  // A repetition times each row for about `seconds`.
+  SpeedRun Run(double seconds) const;
+
+ private:
+  struct Row {
+    std::string name;
+    Work work;
+    int threads;
+  };
+
+  std::vector<Row> rows_;
+  std::vector<TimedCalls> calls_;  // of the rows
+  nlohmann::json refusals_ = nlohmann::json::array();
+  std::size_t cells_ = 0;
+};
+
+// Runs a kernel on `count` batches from `first` on and round again. What a call
+// writes counts as read.
+template <class Batch, class Result>
+void RunBatches(void (*run)(const Batch&, const Result&),
+                const std::vector<Batch>& batches, const Result& result,
+                std::size_t first, std::size_t count) {
+  std::size_t next = first % batches.size();
+  for (; count != 0; --count) {
+    run(batches[next], result);
+    std::atomic_signal_fence(std::memory_order_acq_rel);
+    if (++next == batches.size()) next = 0;
+  }
+}
+
+inline double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+// Times a kernel on one batch after the other. kCalls batches are timed as if
+// they were one call. (Not the same one again, which would be in the caches as
+// no other is.) `lives`: what the batches and the result point into.
+template <int kCalls, class Batch, class Result, class Lives>
+TimedCalls TimedBatches(
+    void (*run)(const Batch&, const Result&),
+    const std::shared_ptr<const std::vector<Batch>>& batches,
+    const Result& result, const Lives& lives) {
+  return {batches->size(),
+          [run, batches, result, lives](std::size_t first, std::size_t count) {
+            const auto start = std::chrono::steady_clock::now();
+            RunBatches(run, *batches, result, first * kCalls, count * kCalls);
+            return SecondsSince(start);
+          }};
+}
 
 }  // namespace pitbench
 

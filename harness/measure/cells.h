@@ -36,7 +36,7 @@ struct Profile {
   std::vector<ProfileScene> accuracy;
   SceneSize accuracy_size;  // of the scenes that do not name their own
   SceneSize speed_size;
-  double seconds_per_sample;  // how long one repetition lasts, at the least
+  double seconds_per_sample;  // how long one repetition lasts, warm-up aside
   std::vector<RayProfileScene> ray_speed = {};
   std::vector<RayProfileScene> ray_accuracy = {};
   // Of the rays' hard scenes: exact answers take longer in space.

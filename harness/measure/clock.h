@@ -9,23 +9,28 @@
 
 namespace pitbench {
 
-// The clock of the core this runs on, in GHz: the median of 15 samples of
-// about half a millisecond.
-double ClockGhz();
+struct Pace {
+  double clock_ghz = 0;
+  // Operations per nanosecond of a loop of independent ones that keeps the
+  // ports for integers and for floating-point numbers full at once. What
+  // matters is that it stays the same.
+  double throughput_gops = 0;
+};
 
-// Operations per nanosecond of a loop of independent ones that keeps the ports
-// for integers and for floating-point numbers full at once: the median of 15
-// samples of about half a millisecond. What matters is that it stays the same.
-double ThroughputGops();
+// The pace of the core that this runs on, in samples of 32 µs or so each of
+// clock and throughput, and of a fourteenth of that.
+Pace SamplePace();
+Pace GlancePace();
+
+// Of each the greater.
+Pace Best(const Pace& a, const Pace& b);
+
+// In the best of samples of some 50 ms, as the times of kernels are (slices.h).
+Pace MeasurePace();
 
 // Seconds, summed over all CPUs since boot, that a hypervisor gave to others
 // (the steal column of /proc/stat); 0 where that is not told.
 double StealSeconds();
-
-// The CPU that this process is pinned to from here on: the last one that it is
-// allowed to use, since the first serves most interrupts. −1 if it could not
-// be pinned.
-int PinToLastCpu();
 
 }  // namespace pitbench
 

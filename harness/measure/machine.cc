@@ -157,7 +157,6 @@ json DescribeMachine(std::uint64_t seed) {
                               std::to_string(HWY_MINOR) + "." +
                               std::to_string(HWY_PATCH);
   json libraries = {{"highway", highway},
-                    {"benchmark", PITBENCH_BENCHMARK_VERSION},
                     {"eigen", PITBENCH_EIGEN_VERSION},
                     {"gmp", gmp_version}};
   libraries.update(PeerVersions());

@@ -1,7 +1,5 @@
 #include "harness/measure/speed.h"
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -27,55 +25,87 @@ bool IsControl(const Kernel& kernel) {
          (kernel.isa == Isa::kAvx2 || kernel.isa == Isa::kNeon);
 }
 
-// Where a kernel writes while it is timed.
+// A scene as its calls find it: shared by all of its rows, so that no row has
+// arrays that lie better than another's.
 template <class T>
-struct Sink {
-  Bits bits;
-  std::array<Array<T>, 3> weights;
+struct PreparedScene {
+  std::shared_ptr<const Scene<T>> scene;
+  Array<T> xy;  // for kernels that read the points side by side
+  std::vector<Batch<T>> batches = {};
+  // Where the kernels write.
+  Bits bits = {};
+  std::array<Array<T>, 3> weights = {};
 
-  Sink(const Kernel& kernel, const Scene<T>& scene) {
+  PreparedScene(std::shared_ptr<const Scene<T>> of, bool side_by_side)
+      : scene(std::move(of)),
+        xy(side_by_side ? scene->PointsSideBySide() : Array<T>()) {
     std::size_t bytes = 0;
-    std::size_t items = 0;
-    for (const Call& call : scene.calls) {
-      bytes = std::max(bytes, scene.OutputBytes(call));
-      items = std::max(items, call.n);
+    for (const Call& call : scene->calls) {
+      batches.push_back(scene->BatchOf(call, xy.data()));
+      bytes = std::max(bytes, scene->OutputBytes(call));
     }
     bits.resize(bytes);
-    if (kernel.output == Output::kWeights) {
-      for (Array<T>& w : weights) w.resize(items);
-    }
   }
+
+  void MakeRoomForWeights() {
+    std::size_t items = 0;
+    for (const Call& call : scene->calls) items = std::max(items, call.n);
+    for (Array<T>& w : weights) w.resize(items);
+  }
+
   Result<T> Target() {
     Result<T> result{.bits = bits.data()};
-    for (std::size_t k = 0; k < 3; ++k) {
-      result.w[k] = weights[k].empty() ? nullptr : weights[k].data();
-    }
+    for (std::size_t k = 0; k < 3; ++k) result.w[k] = weights[k].data();
     return result;
+  }
+
+  Work WorkOfCall() const {
+    const Call& call = scene->calls.front();
+    const auto bytes = static_cast<double>(scene->BytesRead(call));
+    return {.items = call.n,
+            .working_set_bytes = bytes,
+            .bytes_per_item = bytes / static_cast<double>(call.n),
+            .scene_bytes = static_cast<double>(scene->Bytes())};
   }
 };
 
-// `xy`: what PointsFor gives.
+template <class T>
+using Prepared = std::shared_ptr<PreparedScene<T>>;
+
 template <int kCalls, class T>
-void TimeKernel(benchmark::State& state, const Kernel& kernel,
-                const Scene<T>& scene, const Array<T>& xy) {
-  Sink<T> sink(kernel, scene);
-  const auto thread = static_cast<std::size_t>(state.thread_index());
-  const auto threads = static_cast<std::size_t>(state.threads());
-  if (threads > 1) PinThread(state.thread_index());
-  std::vector<Batch<T>> batches;
-  for (const Call& call : scene.calls) {
-    batches.push_back(scene.BatchOf(
-        threads > 1 ? PartOf(call, thread, threads) : call, xy.data()));
+TimedCalls Timed(const Kernel& kernel, const Prepared<T>& prepared) {
+  return TimedBatches<kCalls>(FunctionOf<T>(kernel),
+                              std::shared_ptr<const std::vector<Batch<T>>>(
+                                  prepared, &prepared->batches),
+                              prepared->Target(), prepared);
+}
+
+// The same calls by several threads, each of which has its part of every call.
+template <class T>
+TimedCalls TimedOnThreads(const Kernel& kernel, const Prepared<T>& prepared,
+                          std::size_t threads) {
+  struct Part {
+    std::vector<Batch<T>> batches;
+    Bits bits;
+  };
+  auto parts = std::make_shared<std::vector<Part>>(threads);
+  for (std::size_t thread = 0; thread < threads; ++thread) {
+    Part& part = (*parts)[thread];
+    for (const Call& call : prepared->scene->calls) {
+      part.batches.push_back(prepared->scene->BatchOf(
+          PartOf(call, thread, threads), prepared->xy.data()));
+    }
+    part.bits.resize(prepared->bits.size());
   }
-  TimeBatches<kCalls>(state, FunctionOf<T>(kernel), batches, sink.Target());
-  const Call& call = scene.calls.front();
-  const auto bytes = static_cast<double>(scene.BytesRead(call));
-  const bool first = thread == 0;
-  SetWork(state,
-          {.items = threads > 1 ? PartOf(call, thread, threads).n : call.n,
-           .working_set_bytes = first ? bytes : 0,
-           .bytes_per_item = first ? bytes / static_cast<double>(call.n) : 0,
-           .scene_bytes = first ? static_cast<double>(scene.Bytes()) : 0});
+  return {prepared->batches.size(),
+          [run = FunctionOf<T>(kernel), prepared, parts](std::size_t first,
+                                                         std::size_t count) {
+            return SecondsOfThreads(parts->size(), [&](std::size_t thread) {
+              Part& part = (*parts)[thread];
+              RunBatches(run, part.batches, Result<T>{.bits = part.bits.data()},
+                         first, count);
+            });
+          }};
 }
 
 // Adds the cells of scenes, which stay alive with what is added.
@@ -84,11 +114,12 @@ class Cells {
   explicit Cells(Benchmarks& benchmarks) : benchmarks_(benchmarks) {}
 
   template <class T>
-  void Add(std::shared_ptr<const Scene<T>> scene, const ProfileScene& listed,
+  void Add(const std::shared_ptr<const Scene<T>>& scene,
+           const ProfileScene& listed,
            const std::vector<const Kernel*>& kernels) {
     if (kernels.empty()) return;
     const SceneTruth truth = JudgeScene(*scene);
-    std::shared_ptr<const Array<T>> side_by_side;  // one for all that read it
+    std::array<Prepared<T>, 2> prepared;  // points apart, points side by side
     for (const Kernel* kernel : kernels) {
       const std::optional<std::string> refusal =
           Refusal(*kernel, *scene, truth);
@@ -99,48 +130,52 @@ class Cells {
         continue;
       }
       const bool aos = kernel->loop == Loop::kOneTriangleAos;
-      if (aos && !side_by_side) {
-        side_by_side =
-            std::make_shared<const Array<T>>(scene->PointsSideBySide());
+      Prepared<T>& own = prepared[aos ? 1 : 0];
+      if (!own) own = std::make_shared<PreparedScene<T>>(scene, aos);
+      if (kernel->output == Output::kWeights) own->MakeRoomForWeights();
+      AddRows(*kernel, name, listed, own);
+      if (!listed.threads && placed_.insert(kernel).second) {
+        AddPlacements(*kernel, own, truth);
       }
-      const auto xy = aos ? side_by_side : std::make_shared<const Array<T>>();
-      const auto time = [kernel, scene, xy](benchmark::State& state) {
-        TimeKernel<1>(state, *kernel, *scene, *xy);
-      };
-      if (listed.threads) {
-        benchmarks_.AddForThreads(name, time);
-        continue;
-      }
-      benchmarks_.Add(name, time);
-      if (IsControl(*kernel) && listed.methods.empty()) {
-        benchmarks_.Add(name + "/twin", time);
-        benchmarks_.Add(name + "/doubled",
-                        [kernel, scene, xy](benchmark::State& state) {
-                          TimeKernel<2>(state, *kernel, *scene, *xy);
-                        });
-      }
-      if (placed_.insert(kernel).second) AddPlacements(*kernel, scene, truth);
     }
   }
 
  private:
+  template <class T>
+  void AddRows(const Kernel& kernel, const std::string& name,
+               const ProfileScene& listed, const Prepared<T>& prepared) {
+    const Work work = prepared->WorkOfCall();
+    if (listed.threads) {
+      for (const int threads : ThreadCounts()) {
+        const auto count = static_cast<std::size_t>(threads);
+        benchmarks_.Add(name + "/threads:" + std::to_string(threads),
+                        TimedOnThreads(kernel, prepared, count), work, threads);
+      }
+      return;
+    }
+    const TimedCalls once = Timed<1>(kernel, prepared);
+    benchmarks_.Add(name, once, work);
+    if (IsControl(kernel) && listed.methods.empty()) {
+      benchmarks_.Add(name + "/twin", once, work);
+      benchmarks_.Add(name + "/doubled", Timed<2>(kernel, prepared), work);
+    }
+  }
+
   // The copies of a kernel whose code lies elsewhere, as `…/placed_<shift>`.
   template <class T>
-  void AddPlacements(const Kernel& kernel,
-                     const std::shared_ptr<const Scene<T>>& scene,
+  void AddPlacements(const Kernel& kernel, const Prepared<T>& prepared,
                      const SceneTruth& truth) {
     for (const Placement& placement : Placements()) {
       const Kernel& copy = placement.kernel;
       if (copy.method.key != kernel.method.key || copy.isa != kernel.isa ||
           copy.loop != kernel.loop || copy.scalar != kernel.scalar ||
-          copy.output != kernel.output || Refusal(copy, *scene, truth)) {
+          copy.output != kernel.output ||
+          Refusal(copy, *prepared->scene, truth)) {
         continue;
       }
-      benchmarks_.Add(CellName(copy, scene->name) + "/placed_" +
+      benchmarks_.Add(CellName(copy, prepared->scene->name) + "/placed_" +
                           std::to_string(placement.shift),
-                      [&copy, scene](benchmark::State& state) {
-                        TimeKernel<1>(state, copy, *scene, {});
-                      });
+                      Timed<1>(copy, prepared), prepared->WorkOfCall());
     }
   }
 

@@ -6,8 +6,9 @@
 //   - the same points again and again train the branch predictor, so a scene
 //     changes its sets from call to call (its fixed twin shows by how much
 //     that matters);
-//   - the machine's pace drifts, so the repetitions of all cells of a shard are
-//     run in random order and compared only within the shard;
+//   - the machine is disturbed and its pace drifts, so all cells of a shard are
+//     timed together in short slices (slices.h), and compared only within the
+//     shard;
 //   - a difference may be no difference, so one kernel of every loop is
 //     registered twice (`…/twin`): what the two seem to differ by is noise; and
 //     a real one may be missed, so it is there a third time with two calls for
@@ -31,7 +32,7 @@ namespace pitbench {
 SpeedRun MeasureSpeed(const Profile& profile, const std::regex& filter,
                       std::uint64_t seed);
 
-// The same for scenes in memory; `seconds` is the least a sample lasts.
+// The same for scenes in memory; `seconds` is what a repetition lasts.
 SpeedRun MeasureSpeedOn(const std::vector<Scene<float>>& f32,
                         const std::vector<Scene<double>>& f64,
                         const std::regex& filter, double seconds);

@@ -2,6 +2,11 @@
 
 #include <sched.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 namespace pitbench {
 namespace {
 
@@ -30,11 +35,48 @@ std::vector<int> ThreadCounts() {
   return counts;
 }
 
-void PinThread(int index) {
+bool MayUse(int cpu) {
+  return std::find(kAllowedCpus.begin(), kAllowedCpus.end(), cpu) !=
+         kAllowedCpus.end();
+}
+
+bool Pin(int cpu) {
   cpu_set_t one;
   CPU_ZERO(&one);
-  CPU_SET(kAllowedCpus[static_cast<std::size_t>(index)], &one);
-  sched_setaffinity(0, sizeof(one), &one);
+  CPU_SET(cpu, &one);
+  return sched_setaffinity(0, sizeof(one), &one) == 0;
+}
+
+int PinToLastCpu() {
+  const int last = kAllowedCpus.front();
+  return Pin(last) ? last : -1;
+}
+
+double SecondsOfThreads(std::size_t threads,
+                        const std::function<void(std::size_t)>& work) {
+  using Time = std::chrono::steady_clock::time_point;
+  std::vector<Time> starts(threads);
+  std::vector<Time> ends(threads);
+  std::atomic<std::size_t> missing = threads;
+  const auto run = [&](std::size_t thread) {
+    Pin(kAllowedCpus[thread]);
+    // Waits awake: to be woken would take longer than short work.
+    missing.fetch_sub(1);
+    while (missing.load() != 0) {
+    }
+    starts[thread] = std::chrono::steady_clock::now();
+    work(thread);
+    ends[thread] = std::chrono::steady_clock::now();
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t k = 1; k < threads; ++k) others.emplace_back(run, k);
+    run(0);
+  }
+  const std::chrono::duration<double> time =
+      *std::max_element(ends.begin(), ends.end()) -
+      *std::min_element(starts.begin(), starts.end());
+  return time.count();
 }
 
 Call PartOf(const Call& call, std::size_t index, std::size_t count) {

@@ -6,6 +6,7 @@
 #define PITBENCH_HARNESS_MEASURE_THREADS_H_
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "harness/scenes/scene.h"
@@ -16,9 +17,23 @@ namespace pitbench {
 // began.
 std::vector<int> ThreadCounts();
 
-// Pins the calling thread: `index` 0 to the last of those CPUs, where
-// PinToLastCpu pins the process, 1 to the last but one, and so on.
-void PinThread(int index);
+// The CPU that this process is pinned to from here on: the last one that it is
+// allowed to use, since the first serves most interrupts. −1 if it could not
+// be pinned.
+int PinToLastCpu();
+
+// Whether it is one of those CPUs.
+bool MayUse(int cpu);
+
+// Pins the calling thread to a CPU; whether that could be done.
+bool Pin(int cpu);
+
+// Does work(0) here and work(1), work(2), … each in a thread of its own, all at
+// once: 0 on the last of those CPUs, where PinToLastCpu pins the process, 1 on
+// the last but one, and so on. Returns the seconds from the first start to the
+// last end. Starting the threads is no part of them.
+double SecondsOfThreads(std::size_t threads,
+                        const std::function<void(std::size_t)>& work);
 
 // The part of `call` of thread `index` of `count`, where the loop is
 // one_triangle. Parts begin at whole cache lines of the points.

@@ -129,6 +129,18 @@ def test_time_that_others_had_on_its_core_makes_it_noisy() -> None:
     assert "had its CPU for 50.0 % of the time" in found.reasons[0].text
 
 
+def test_few_quiet_slices_make_it_noisy() -> None:
+    speed = speed_frame({BASE: TIMES, BASE + "/twin": TIMES})
+
+    def judged(share: float) -> Verdict:
+        return judge(speed, (dataclasses.replace(shard("a"), quiet_share=share),))
+
+    assert judged(0.6).word == "quiet"
+    found = judged(0.4)
+    assert found.word == "noisy"
+    assert "only 40 % of its slices" in found.reasons[0].text
+
+
 def test_a_shard_that_does_not_tell_how_much_it_had_is_not_blamed() -> None:
     silent = dataclasses.replace(shard("speed-a"), wall_seconds=math.nan)
     speed = speed_frame({BASE: TIMES, BASE + "/twin": TIMES})

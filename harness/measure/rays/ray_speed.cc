@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "harness/measure/measured_kernels.h"
@@ -19,52 +20,58 @@ bool IsControl(const RayKernel& kernel) {
          (kernel.isa == Isa::kAvx2 || kernel.isa == Isa::kNeon);
 }
 
-// Where a kernel writes while it is timed.
+// A scene as its calls find it, shared by all of its rows.
 template <class T>
-struct Sink {
-  Bits bits;
-  std::array<Array<T>, 3> tuv;
+struct PreparedScene {
+  std::shared_ptr<const RayScene<T>> scene;
+  std::vector<RayBatch<T>> batches = {};
+  // Where the kernels write.
+  Bits bits = {};
+  std::array<Array<T>, 3> tuv = {};
   std::size_t nearest = kNoTriangle;
 
-  explicit Sink(const RayScene<T>& scene) {
+  explicit PreparedScene(std::shared_ptr<const RayScene<T>> of)
+      : scene(std::move(of)) {
     std::size_t n = 1;
-    for (const RayCall& call : scene.calls) n = std::max(n, call.n);
+    for (const RayCall& call : scene->calls) {
+      batches.push_back(scene->BatchOf(call));
+      n = std::max(n, call.n);
+    }
     bits.resize(BitBytes(n));
     for (Array<T>& values : tuv) values.resize(n);
   }
+
   RayResult<T> Target() {
     return {bits.data(), tuv[0].data(), tuv[1].data(), tuv[2].data(), &nearest};
+  }
+
+  Work WorkOfCall() const {
+    const RayCall& call = scene->calls.front();
+    const auto bytes = static_cast<double>(scene->BytesRead(call));
+    return {.items = call.n,
+            .working_set_bytes = bytes,
+            .bytes_per_item = bytes / static_cast<double>(call.n),
+            .scene_bytes = static_cast<double>(scene->Bytes())};
   }
 };
 
 template <int kCalls, class T>
-void TimeKernel(benchmark::State& state, const RayKernel& kernel,
-                const RayScene<T>& scene) {
-  Sink<T> sink(scene);
-  std::vector<RayBatch<T>> batches;
-  for (const RayCall& call : scene.calls)
-    batches.push_back(scene.BatchOf(call));
-  // What a library builds of the triangles is built here, before the timing.
-  std::optional<KeptIndexes> kept;
-  if (kernel.isa == Isa::kLibrary) {
-    kept.emplace();
-    for (const RayBatch<T>& batch : batches) {
-      FunctionOf<T>(kernel)(batch, sink.Target());
-    }
-  }
-  TimeBatches<kCalls>(state, FunctionOf<T>(kernel), batches, sink.Target());
-  const RayCall& call = scene.calls.front();
-  const auto bytes = static_cast<double>(scene.BytesRead(call));
-  SetWork(state, {.items = call.n,
-                  .working_set_bytes = bytes,
-                  .bytes_per_item = bytes / static_cast<double>(call.n),
-                  .scene_bytes = static_cast<double>(scene.Bytes())});
+TimedCalls Timed(const RayKernel& kernel,
+                 const std::shared_ptr<PreparedScene<T>>& prepared,
+                 const std::shared_ptr<KeptIndexes>& kept) {
+  return TimedBatches<kCalls>(FunctionOf<T>(kernel),
+                              std::shared_ptr<const std::vector<RayBatch<T>>>(
+                                  prepared, &prepared->batches),
+                              prepared->Target(), std::pair(prepared, kept));
 }
 
+// `kept`: what libraries build of the triangles, before anything is timed.
 template <class T>
 void AddScene(Benchmarks& benchmarks, const RayProfileScene& listed,
               const std::shared_ptr<const RayScene<T>>& scene,
-              const std::vector<const RayKernel*>& kernels) {
+              const std::vector<const RayKernel*>& kernels,
+              const std::shared_ptr<KeptIndexes>& kept) {
+  const auto prepared = std::make_shared<PreparedScene<T>>(scene);
   // Of methods that do not cull and of those that do.
   std::array<std::optional<SceneTruth>, 2> truths;
   for (const RayKernel* kernel : kernels) {
@@ -77,15 +84,17 @@ void AddScene(Benchmarks& benchmarks, const RayProfileScene& listed,
       benchmarks.Refuse(name, *refusal);
       continue;
     }
-    const auto time = [kernel, scene](benchmark::State& state) {
-      TimeKernel<1>(state, *kernel, *scene);
-    };
-    benchmarks.Add(name, time);
+    if (kernel->isa == Isa::kLibrary) {
+      for (const RayBatch<T>& batch : prepared->batches) {
+        FunctionOf<T> (*kernel)(batch, prepared->Target());
+      }
+    }
+    const Work work = prepared->WorkOfCall();
+    const TimedCalls once = Timed<1>(*kernel, prepared, kept);
+    benchmarks.Add(name, once, work);
     if (!IsControl(*kernel) || !listed.methods.empty()) continue;
-    benchmarks.Add(name + "/twin", time);
-    benchmarks.Add(name + "/doubled", [kernel, scene](benchmark::State& state) {
-      TimeKernel<2>(state, *kernel, *scene);
-    });
+    benchmarks.Add(name + "/twin", once, work);
+    benchmarks.Add(name + "/doubled", Timed<2>(*kernel, prepared, kept), work);
   }
 }
 
@@ -93,6 +102,7 @@ void AddScene(Benchmarks& benchmarks, const RayProfileScene& listed,
 
 void AddRayCells(Benchmarks& benchmarks, const Profile& profile,
                  const std::regex& filter, std::uint64_t seed) {
+  const auto kept = std::make_shared<KeptIndexes>();
   const auto add = [&]<class T>(const RayProfileScene& listed, RayLoop loop,
                                 T) {
     std::vector<const RayKernel*> kernels = KernelsFor(listed, loop, filter);
@@ -102,7 +112,7 @@ void AddRayCells(Benchmarks& benchmarks, const Profile& profile,
     AddScene(benchmarks, listed,
              std::make_shared<const RayScene<T>>(MakeRayScene<T>(
                  ParseScene(listed.name), loop, profile.speed_size, seed)),
-             kernels);
+             kernels, kept);
   };
   for (const RayProfileScene& listed : profile.ray_speed) {
     for (const RayLoop loop : listed.loops) {
