@@ -74,6 +74,25 @@ TEST(SlicesTest, TheSpreadOfRepetitionsHoldsThatOfTheCalls) {
   EXPECT_GT(seen.size(), 9u);
 }
 
+TEST(SlicesTest, OfEachPartOfALongCallTheFastestPassCounts) {
+  std::size_t pass = 0;
+  const TimedCalls row = {
+      3, [](std::size_t, std::size_t) { return 300 * kMicro; },
+      [&](std::size_t call, std::vector<double>& seconds) {
+        seconds.assign(3, static_cast<double>(call + 1) * 100 * kMicro);
+        seconds[pass++ % 3] *= 9;  // each pass is disturbed somewhere
+      }};
+  const SliceTimes found = TimeInSlices({row}, 1.2e-3, 6, kCalm);
+  for (std::size_t k = 0; k < found.rows[0].size(); ++k) {
+    const Repetition& repetition = found.rows[0][k];
+    EXPECT_NEAR(repetition.call_seconds,
+                static_cast<double>(k % 3 + 1) * 300 * kMicro, 1e-12);
+    EXPECT_NEAR(repetition.mean_call_seconds,
+                static_cast<double>(k % 3 + 1) * 1100 * kMicro, 1e-12);
+    EXPECT_EQ(repetition.calls, 4u);
+  }
+}
+
 TEST(SlicesTest, WaitsUntilItIsQuiet) {
   int noise = 0;  // looks until it is over
   std::size_t slices = 0;

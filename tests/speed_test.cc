@@ -189,12 +189,50 @@ TEST(SpeedTest, ThreadsShareTheItemsOfACall) {
   }
 }
 
+// What a kernel was called with.
+struct Seen {
+  const float* x;
+  std::size_t n;
+  const std::uint8_t* bits;
+};
+std::vector<Seen> g_seen;
+
+TEST(SpeedTest, ALongCallIsTimedInPartsThatAreTheWhole) {
+  constexpr std::size_t kItems = (std::size_t{1} << 21) + 100;
+  Scene<float> scene = HandMadeScene();
+  scene.name = "long";
+  scene.px.assign(kItems, 3);
+  scene.py.assign(kItems, 3);
+  scene.calls = {{0, 0, kItems}};
+  Kernel kernel = OneTriangleKernel("edge_function", Output::kInside);
+  kernel.f32 = [](const Batch<float>& batch, const Result<float>& result) {
+    g_seen.push_back({batch.px, batch.n, result.bits});
+    static const Kernel real =
+        OneTriangleKernel("edge_function", Output::kInside);
+    real.f32(batch, result);
+  };
+  const SpeedRun run = MeasureKernels({&kernel}, scene, 1e-5);
+  ASSERT_EQ(RowsByName(run.file).size(), 1u);
+  // The last pass.
+  std::size_t first = g_seen.size();
+  std::size_t items = 0;
+  while (items < kItems && first != 0) {
+    items += g_seen[--first].n;
+    if (first + 1 == g_seen.size()) continue;
+    const Seen& next = g_seen[first + 1];
+    EXPECT_EQ(g_seen[first].x + g_seen[first].n, next.x);
+    EXPECT_EQ(g_seen[first].bits + g_seen[first].n / 8, next.bits);
+  }
+  EXPECT_EQ(items, kItems);
+  EXPECT_GT(g_seen.size() - first, 30u);
+}
+
 TEST(ThreadsTest, PartsFollowEachOtherAndAreTheWhole) {
   for (const std::size_t n : {0, 1, 63, 64, 1000, 1 << 20}) {
     for (const std::size_t threads : {1, 2, 3, 64}) {
       std::size_t next = 5;
       for (std::size_t k = 0; k < threads; ++k) {
-        const Call part = PartOf({7, 5, n}, k, threads);
+        const Call part = PartOf({7, 5, n}, Loop::kOneTriangle, k, threads);
         EXPECT_EQ(part.triangle, 7u);
         EXPECT_EQ(part.point, next);
         EXPECT_EQ((part.point - 5) % 64, 0u) << "a part begins within a line";

@@ -190,7 +190,7 @@ Profile Full() {
                .accuracy = {},
                .accuracy_size = {.groups = 2000, .size = 67},
                .speed_size = kHardSpeedSize,
-               .seconds_per_sample = 4e-3};
+               .seconds_per_sample = 2.5e-3};
   AddScenes(full.speed,
             {"uniform:hit=50:bytes=24k:sets=fresh",
              "uniform:hit=50:bytes=512k:sets=fresh"},

@@ -55,16 +55,19 @@ struct Piece {
 class Window {
  public:
   Window(const TimedCalls& row, const SlicePlan& plan, std::size_t repetition)
-      : row_(row), plan_(plan) {
-    const std::size_t start = repetition * plan.window % row.round;
+      : row_(row), plan_(plan), start_(repetition * plan.window % row.round) {
     for (std::size_t k = 0; k < plan.pieces; ++k) {
       const std::size_t begin = plan.window * k / plan.pieces;
       const std::size_t end = plan.window * (k + 1) / plan.pieces;
-      pieces_.push_back({(start + begin) % row.round, end - begin});
+      pieces_.push_back({(start_ + begin) % row.round, end - begin});
     }
   }
 
   void TimeSlice() {
+    if (row_.time_parts) {
+      TimeParts();
+      return;
+    }
     Piece& piece = pieces_[next_];
     if (plan_.warm_up != 0) {
       const std::size_t back = plan_.warm_up % row_.round;
@@ -93,9 +96,22 @@ class Window {
   }
 
  private:
+  // All pieces at once: the parts of the call.
+  void TimeParts() {
+    row_.time_parts(start_, parts_);
+    pieces_.resize(parts_.size(), {start_, 0});
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      pieces_[k].fastest = std::min(pieces_[k].fastest, parts_[k]);
+      pieces_[k].sum += parts_[k];
+    }
+    ++pieces_[0].calls;
+  }
+
   const TimedCalls& row_;
   const SlicePlan& plan_;
+  std::size_t start_;
   std::vector<Piece> pieces_;
+  std::vector<double> parts_;
   std::size_t next_ = 0;
 };
 
@@ -165,7 +181,10 @@ SliceTimes TimeInSlices(const std::vector<TimedCalls>& rows, double seconds,
   std::vector<double> slice_seconds;
   for (const TimedCalls& row : rows) {
     const double call_seconds = Calibrated(row);
-    const SlicePlan plan = PlanSlices(call_seconds, row.round, seconds);
+    SlicePlan plan = PlanSlices(call_seconds, row.round, seconds);
+    if (row.time_parts) {
+      plan = {1, 1, Whole(seconds / call_seconds), 0};
+    }
     plans.push_back(plan);
     slice_seconds.push_back(
         call_seconds *

@@ -59,6 +59,16 @@ struct PreparedScene {
     return result;
   }
 
+  // Where a part of a call writes, which begins with a whole byte.
+  Result<T> TargetOf(const Call& call, const Call& part) {
+    const std::size_t items =
+        std::max(part.point - call.point, part.triangle - call.triangle);
+    Result<T> result = Target();
+    result.bits += items / 8;
+    for (T*& w : result.w) w = w == nullptr ? nullptr : w + items;
+    return result;
+  }
+
   Work WorkOfCall() const {
     const Call& call = scene->calls.front();
     const auto bytes = static_cast<double>(scene->BytesRead(call));
@@ -72,12 +82,46 @@ struct PreparedScene {
 template <class T>
 using Prepared = std::shared_ptr<PreparedScene<T>>;
 
+// Calls of as many items take milliseconds; their parts about a slice.
+constexpr std::size_t kItemsOfLongCall = std::size_t{1} << 21;
+constexpr std::size_t kItemsOfPart = std::size_t{1} << 16;
+
+// Times the calls of a scene in parts, each of which writes behind the one
+// before it as the call would.
+template <int kCalls, class T>
+PartsTimer TimedParts(const Kernel& kernel, const Prepared<T>& prepared) {
+  const Scene<T>& scene = *prepared->scene;
+  const std::size_t parts = scene.calls.front().n / kItemsOfPart;
+  return [run = FunctionOf<T>(kernel), parts, &scene, prepared](
+             std::size_t first, std::vector<double>& seconds) {
+    seconds.clear();
+    for (std::size_t k = first * kCalls; k < (first + 1) * kCalls; ++k) {
+      const Call& call = scene.calls[k % scene.calls.size()];
+      for (std::size_t index = 0; index < parts; ++index) {
+        const Call part = PartOf(call, scene.loop, index, parts);
+        const Batch<T> batch = scene.BatchOf(part, prepared->xy.data());
+        const Result<T> result = prepared->TargetOf(call, part);
+        const auto start = std::chrono::steady_clock::now();
+        run(batch, result);
+        std::atomic_signal_fence(std::memory_order_acq_rel);
+        seconds.push_back(SecondsSince(start));
+      }
+    }
+  };
+}
+
 template <int kCalls, class T>
 TimedCalls Timed(const Kernel& kernel, const Prepared<T>& prepared) {
-  return TimedBatches<kCalls>(FunctionOf<T>(kernel),
-                              std::shared_ptr<const std::vector<Batch<T>>>(
-                                  prepared, &prepared->batches),
-                              prepared->Target(), prepared);
+  TimedCalls calls =
+      TimedBatches<kCalls>(FunctionOf<T>(kernel),
+                           std::shared_ptr<const std::vector<Batch<T>>>(
+                               prepared, &prepared->batches),
+                           prepared->Target(), prepared);
+  const Scene<T>& scene = *prepared->scene;
+  if (scene.loop != Loop::kGrid && scene.calls.front().n >= kItemsOfLongCall) {
+    calls.time_parts = TimedParts<kCalls>(kernel, prepared);
+  }
+  return calls;
 }
 
 // The same calls by several threads, each of which has its part of every call.
@@ -93,7 +137,8 @@ TimedCalls TimedOnThreads(const Kernel& kernel, const Prepared<T>& prepared,
     Part& part = (*parts)[thread];
     for (const Call& call : prepared->scene->calls) {
       part.batches.push_back(prepared->scene->BatchOf(
-          PartOf(call, thread, threads), prepared->xy.data()));
+          PartOf(call, prepared->scene->loop, thread, threads),
+          prepared->xy.data()));
     }
     part.bits.resize(prepared->bits.size());
   }

@@ -79,13 +79,16 @@ double SecondsOfThreads(std::size_t threads,
   return time.count();
 }
 
-Call PartOf(const Call& call, std::size_t index, std::size_t count) {
+Call PartOf(const Call& call, Loop loop, std::size_t index, std::size_t count) {
   constexpr std::size_t kStep = 64;
   const auto begin = [&](std::size_t k) {
     return k == count ? call.n : call.n * k / count / kStep * kStep;
   };
   const std::size_t first = begin(index);
-  return {call.triangle, call.point + first, begin(index + 1) - first};
+  const bool triangles = loop == Loop::kOnePoint || loop == Loop::kPairs;
+  return {call.triangle + (triangles ? first : 0),
+          call.point + (loop == Loop::kOnePoint ? 0 : first),
+          begin(index + 1) - first};
 }
 
 }  // namespace pitbench

@@ -35,9 +35,9 @@ bool Pin(int cpu);
 double SecondsOfThreads(std::size_t threads,
                         const std::function<void(std::size_t)>& work);
 
-// The part of `call` of thread `index` of `count`, where the loop is
-// one_triangle. Parts begin at whole cache lines of the points.
-Call PartOf(const Call& call, std::size_t index, std::size_t count);
+// The part `index` of `count` of a call of any loop but grid. Parts begin at
+// whole cache lines of the arrays.
+Call PartOf(const Call& call, Loop loop, std::size_t index, std::size_t count);
 
 }  // namespace pitbench
 
