@@ -55,7 +55,7 @@ void BrokenIsRefusedAndRightIsTimed(std::string_view scene_name) {
 
   using Broken = Watched<T, kLoop, true>;
   const Kernel broken = Broken::Make();
-  const SpeedRun refused = MeasureKernels({&broken}, scene, 1e-6);
+  const SpeedRun refused = MeasureKernels({&broken}, scene, {1e-6});
   EXPECT_EQ(refused.cells, 1u);
   EXPECT_EQ(refused.refused, 1u);
   EXPECT_EQ(Broken::calls, scene.calls.size());
@@ -68,7 +68,7 @@ void BrokenIsRefusedAndRightIsTimed(std::string_view scene_name) {
 
   using Right = Watched<T, kLoop, false>;
   const Kernel right = Right::Make();
-  const SpeedRun timed = MeasureKernels({&right}, scene, 1e-6);
+  const SpeedRun timed = MeasureKernels({&right}, scene, {1e-6});
   EXPECT_EQ(timed.refused, 0u);
   EXPECT_GE(Right::calls, scene.calls.size() + kRepetitions);
   for (const auto& row : timed.file.at("benchmarks")) {

@@ -42,7 +42,7 @@ TEST(SlicesTest, TimesTheCallsAndNotWhatDisturbsThem) {
                             return kFactors[times[{first, count}]++ % 3] *
                                    CostOf(first, count, kRound);
                           }};
-  const SliceTimes found = TimeInSlices({row}, 1.6e-3, 1, kCalm);
+  const SliceTimes found = TimeInSlices({row}, {1.6e-3}, 1, kCalm);
   ASSERT_EQ(found.rows.size(), 1u);
   ASSERT_EQ(found.rows[0].size(), 1u);
   const Repetition& repetition = found.rows[0][0];
@@ -63,7 +63,7 @@ TEST(SlicesTest, TheSpreadOfRepetitionsHoldsThatOfTheCalls) {
                             }
                             return 20 * CostOf(first, count, kRound);
                           }};
-  const SliceTimes found = TimeInSlices({row}, 1.6e-3, 9, kCalm);
+  const SliceTimes found = TimeInSlices({row}, {1.6e-3}, 9, kCalm);
   std::set<double> times;
   for (const Repetition& repetition : found.rows[0]) {
     times.insert(repetition.call_seconds);
@@ -82,7 +82,7 @@ TEST(SlicesTest, OfEachPartOfALongCallTheFastestPassCounts) {
         seconds.assign(3, static_cast<double>(call + 1) * 100 * kMicro);
         seconds[pass++ % 3] *= 9;  // each pass is disturbed somewhere
       }};
-  const SliceTimes found = TimeInSlices({row}, 1.2e-3, 6, kCalm);
+  const SliceTimes found = TimeInSlices({row}, {1.2e-3}, 6, kCalm);
   for (std::size_t k = 0; k < found.rows[0].size(); ++k) {
     const Repetition& repetition = found.rows[0][k];
     EXPECT_NEAR(repetition.call_seconds,
@@ -109,7 +109,7 @@ TEST(SlicesTest, WaitsUntilItIsQuiet) {
                                                             : Quiet::kYes;
                                          },
                                      .between = [](double) {}};
-  const SliceTimes found = TimeInSlices({row}, 1.6e-3, 9, surroundings);
+  const SliceTimes found = TimeInSlices({row}, {1.6e-3}, 9, surroundings);
   EXPECT_EQ(found.quiet_share, 1);
 }
 
@@ -121,7 +121,7 @@ TEST(SlicesTest, DoesNotWaitForEver) {
                             }};
     const Surroundings surroundings = {
         .look = [state = state] { return state; }, .between = [](double) {}};
-    const SliceTimes found = TimeInSlices({row}, 1e-4, 2, surroundings);
+    const SliceTimes found = TimeInSlices({row}, {1e-4}, 2, surroundings);
     EXPECT_NEAR(found.rows[0][1].call_seconds, 4 * kMicro, 2 * kMicro);
     EXPECT_EQ(found.quiet_share, share);
   }
@@ -132,7 +132,7 @@ TEST(SlicesTest, ThePaceIsAskedForAllAlong) {
   const TimedCalls row = {1, [](std::size_t, std::size_t count) {
                             return static_cast<double>(count) * kMicro;
                           }};
-  TimeInSlices({row, row}, 1e-3, 9,
+  TimeInSlices({row, row}, {1e-3}, 9,
                {.look = kCalm.look,
                 .between = [&](double part) { done.push_back(part); }});
   ASSERT_GT(done.size(), 100u);

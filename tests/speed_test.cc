@@ -25,7 +25,7 @@ using nlohmann::json;
 // The scalar kernels that only answer, on one scene.
 SpeedRun TimeScalar(const Scene<float>& scene) {
   return MeasureSpeedOn({scene}, {}, std::regex("one_triangle/.*/scalar$"),
-                        1e-5);
+                        {1e-5});
 }
 
 std::map<std::string, std::vector<json>> RowsByName(const json& file) {
@@ -89,7 +89,7 @@ TEST(SpeedTest, WrongKernelHasAReasonAndNoNumbers) {
 TEST(SpeedTest, OneKernelOfALoopIsRegisteredTwice) {
   const SpeedRun run =
       MeasureSpeedOn({HandMadeScene()}, {},
-                     std::regex("one_triangle/.*/edge_function/"), 1e-5);
+                     std::regex("one_triangle/.*/edge_function/"), {1e-5});
   std::size_t twins = 0;
   for (const auto& [name, rows] : RowsByName(run.file)) {
     if (name.ends_with("/twin")) {
@@ -121,7 +121,7 @@ TEST(SpeedTest, TwoCallsTimedAsOneTakeTwiceTheTime) {
            std::chrono::microseconds(20)) {
     }
   };
-  const SpeedRun run = MeasureKernels({&lasting}, HandMadeScene(), 1e-4);
+  const SpeedRun run = MeasureKernels({&lasting}, HandMadeScene(), {1e-4});
   const auto rows = RowsByName(run.file);
   const std::string name = "one_triangle/own/edge_function/f32/avx2";
   const double plain = MedianTime(rows.at(name));
@@ -138,7 +138,7 @@ TEST(SpeedTest, PlacementsAreTimedOnceAShard) {
   again.name = "again";
   const SpeedRun run =
       MeasureSpeedOn({HandMadeScene(), again}, {},
-                     std::regex("one_triangle/.*/cross_product/"), 1e-5);
+                     std::regex("one_triangle/.*/cross_product/"), {1e-5});
   std::set<std::string> placed;
   for (const auto& [name, rows] : RowsByName(run.file)) {
     if (name.find("/placed_") == std::string::npos) continue;
@@ -160,7 +160,7 @@ TEST(SpeedTest, PlacementsAreTimedOnceAShard) {
 // All CPUs together read what one alone reads, and each number of them has its
 // own row.
 TEST(SpeedTest, ThreadsShareTheItemsOfACall) {
-  Profile profile{.name = "tiny", .seconds_per_sample = 1e-5};
+  Profile profile{.name = "tiny", .speed_budget = {1e-5}};
   profile.speed = {{"uniform:hit=50:n=10000:sets=fresh",
                     {Loop::kOneTriangle},
                     Scalar::kF32,
@@ -211,7 +211,7 @@ TEST(SpeedTest, ALongCallIsTimedInPartsThatAreTheWhole) {
         OneTriangleKernel("edge_function", Output::kInside);
     real.f32(batch, result);
   };
-  const SpeedRun run = MeasureKernels({&kernel}, scene, 1e-5);
+  const SpeedRun run = MeasureKernels({&kernel}, scene, {1e-5});
   ASSERT_EQ(RowsByName(run.file).size(), 1u);
   // The last pass.
   std::size_t first = g_seen.size();
@@ -245,7 +245,7 @@ TEST(ThreadsTest, PartsFollowEachOtherAndAreTheWhole) {
 
 TEST(SpeedTest, NoCellIsNoError) {
   const SpeedRun run =
-      MeasureSpeedOn({HandMadeScene()}, {}, std::regex("nothing"), 1e-5);
+      MeasureSpeedOn({HandMadeScene()}, {}, std::regex("nothing"), {1e-5});
   EXPECT_EQ(run.cells, 0u);
 }
 

@@ -1,6 +1,5 @@
 #include "harness/limits/limits.h"
 
-#include <algorithm>
 #include <iostream>
 
 #include "harness/command/arguments.h"
@@ -16,9 +15,7 @@ namespace pitbench {
 namespace {
 
 void Limits(const Arguments& a) {
-  // A fourth of a speed sample: a probe's loop is short, and there are many.
-  const double seconds =
-      std::min(FindProfile(a.profile).seconds_per_sample / 4, 5e-3);
+  const double seconds = FindProfile(a.profile).speed_budget.seconds;
   const std::regex filter = Filter(a.filter);
   OutputFile out(a.out);
   const int cpu = PinToLastCpu();

@@ -29,7 +29,7 @@ void Speed(const Arguments& a) {
                      ? MeasureSpeed(profile, filter, a.seed)
                      : MeasureSpeedOn(OwnScenes<float>(a.triangles, a.points),
                                       OwnScenes<double>(a.triangles, a.points),
-                                      filter, profile.seconds_per_sample);
+                                      filter, profile.speed_budget);
   if (run.cells == 0) NoCells(a);
   const std::chrono::duration<double> time =
       std::chrono::steady_clock::now() - start;

@@ -44,8 +44,8 @@ std::vector<MemoryLevel> MemoryLevels(const std::vector<std::size_t>& caches,
 std::vector<std::size_t> DataCaches(const nlohmann::json& caches);
 
 // Measures the probes that run here and whose name (`add/f32/avx2`,
-// `load/L1/avx2`) the filter finds. A repetition lasts about `seconds`. Returns the
-// members `levels`, `memory` and `operations` of limits.json
+// `load/L1/avx2`) the filter finds. A repetition lasts about `seconds`. Returns
+// the members `levels`, `memory` and `operations` of limits.json
 // (harness/schema/limits.schema.json).
 nlohmann::json MeasureLimits(const std::vector<MemoryLevel>& levels,
                              const std::regex& filter, double seconds,

@@ -27,12 +27,12 @@ void Benchmarks::Refuse(const std::string& name, const std::string& why) {
   refusals_.back()["error_message"] = why;
 }
 
-SpeedRun Benchmarks::Run(double seconds) const {
+SpeedRun Benchmarks::Run(const SliceBudget& budget) const {
   if (cells_ == 0) return {};
   const OccupancyMeter meter;
   std::array<Pace, 2> halves;
   QuietPlace place;
-  const SliceTimes times = TimeInSlices(calls_, seconds, kRepetitions,
+  const SliceTimes times = TimeInSlices(calls_, budget, kRepetitions,
                                         {.look = [&] { return place.Look(); },
                                          .between =
                                              [&](double done) {

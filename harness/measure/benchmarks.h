@@ -49,8 +49,7 @@ class Benchmarks {
   void Refuse(const std::string& name, const std::string& why);
   void CountCell() { ++cells_; }
 
-  // A repetition times each row for about `seconds`.
-  SpeedRun Run(double seconds) const;
+  SpeedRun Run(const SliceBudget& budget) const;
 
  private:
   struct Row {

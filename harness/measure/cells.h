@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/measure/slices.h"
 #include "harness/scenes/generate.h"
 #include "kernels/kernels.h"
 #include "kernels/rays/ray_kernels.h"
@@ -36,7 +37,7 @@ struct Profile {
   std::vector<ProfileScene> accuracy;
   SceneSize accuracy_size;  // of the scenes that do not name their own
   SceneSize speed_size;
-  double seconds_per_sample;  // how long one repetition lasts, warm-up aside
+  SliceBudget speed_budget;
   std::vector<RayProfileScene> ray_speed = {};
   std::vector<RayProfileScene> ray_accuracy = {};
   // Of the rays' hard scenes: exact answers take longer in space.

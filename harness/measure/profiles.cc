@@ -126,7 +126,7 @@ Profile Tiny() {
                .accuracy = {},
                .accuracy_size = {.groups = 16, .size = 67},
                .speed_size = {.groups = 4, .size = 67},
-               .seconds_per_sample = 1e-4};
+               .speed_budget = {.seconds = 1e-4}};
   AddScenes(tiny.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true);
   AddScenes(tiny.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
   AddScenes(tiny.speed, {"near_edge:ulps=1:sets=fresh"}, false);
@@ -156,7 +156,7 @@ Profile Quick() {
                 .accuracy = {},
                 .accuracy_size = {.groups = 900, .size = 67},
                 .speed_size = kHardSpeedSize,
-                .seconds_per_sample = 1.2e-3};
+                .speed_budget = {.seconds = 1.2e-3}};
   AddScenes(quick.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true,
             kEveryFloatLoop);
   AddScenes(quick.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
@@ -190,7 +190,7 @@ Profile Full() {
                .accuracy = {},
                .accuracy_size = {.groups = 2000, .size = 67},
                .speed_size = kHardSpeedSize,
-               .seconds_per_sample = 2.5e-3};
+               .speed_budget = {.seconds = 2.5e-3, .patience = 6}};
   AddScenes(full.speed,
             {"uniform:hit=50:bytes=24k:sets=fresh",
              "uniform:hit=50:bytes=512k:sets=fresh"},

@@ -118,15 +118,18 @@ class Window {
 // Times slices where it is quiet, if that comes soon enough.
 class Patience {
  public:
-  explicit Patience(const std::function<Quiet()>& look)
-      : look_(look), now_(look()), start_(std::chrono::steady_clock::now()) {}
+  Patience(const std::function<Quiet()>& look, double times)
+      : look_(look),
+        times_(times),
+        now_(look()),
+        start_(std::chrono::steady_clock::now()) {}
 
   // The next slice of the window, which lasts about `seconds`; at least once,
   // and again until it is quiet before and after or the time for it is over.
   // What earlier slices left of theirs is there for the later ones. Returns the
   // worse of the last two looks.
   Quiet Time(Window& window, double seconds) {
-    allowed_ += kPatience * seconds;
+    allowed_ += times_ * seconds;
     Quiet around = Quiet::kDisturbed;
     do {
       while (now_ < Wanted()) now_ = look_();
@@ -148,6 +151,7 @@ class Patience {
   }
 
   const std::function<Quiet()>& look_;
+  double times_;
   Quiet now_;
   std::chrono::steady_clock::time_point start_;
   double allowed_ = 0;
@@ -175,15 +179,16 @@ SlicePlan PlanSlices(double call_seconds, std::size_t round, double seconds) {
           warms_itself ? 0 : Whole(warm_up_seconds / call_seconds)};
 }
 
-SliceTimes TimeInSlices(const std::vector<TimedCalls>& rows, double seconds,
-                        int repetitions, const Surroundings& surroundings) {
+SliceTimes TimeInSlices(const std::vector<TimedCalls>& rows,
+                        const SliceBudget& budget, int repetitions,
+                        const Surroundings& surroundings) {
   std::vector<SlicePlan> plans;
   std::vector<double> slice_seconds;
   for (const TimedCalls& row : rows) {
     const double call_seconds = Calibrated(row);
-    SlicePlan plan = PlanSlices(call_seconds, row.round, seconds);
+    SlicePlan plan = PlanSlices(call_seconds, row.round, budget.seconds);
     if (row.time_parts) {
-      plan = {1, 1, Whole(seconds / call_seconds), 0};
+      plan = {1, 1, Whole(budget.seconds / call_seconds), 0};
     }
     plans.push_back(plan);
     slice_seconds.push_back(
@@ -202,7 +207,7 @@ SliceTimes TimeInSlices(const std::vector<TimedCalls>& rows, double seconds,
   }
   std::mt19937_64 random;  // NOLINT(cert-msc*): the same order every time
   std::shuffle(slices.begin(), slices.end(), random);
-  Patience patience(surroundings.look);
+  Patience patience(surroundings.look, budget.patience);
   std::size_t quiet_slices = 0;
   std::size_t calls = 0;
   for (std::size_t k = 0; k < slices.size(); ++k) {

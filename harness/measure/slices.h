@@ -86,12 +86,17 @@ struct SliceTimes {
                        // than Quiet::kSlower
 };
 
-// Times each row `repetitions` times, each time for about `seconds`, all of
-// them together; where the machine is not quiet, for up to kPatience times as
-// long, half of which may be spent on waiting for a faster clock alone.
-inline constexpr double kPatience = 3;
-SliceTimes TimeInSlices(const std::vector<TimedCalls>& rows, double seconds,
-                        int repetitions, const Surroundings& surroundings);
+struct SliceBudget {
+  double seconds;  // of a repetition of a row, warm-up aside
+  // How many times as long that may take where the machine is not quiet; half
+  // of it may be spent on waiting for a faster clock alone.
+  double patience = 3;
+};
+
+// Times each row `repetitions` times, all of them together.
+SliceTimes TimeInSlices(const std::vector<TimedCalls>& rows,
+                        const SliceBudget& budget, int repetitions,
+                        const Surroundings& surroundings);
 
 }  // namespace pitbench
 

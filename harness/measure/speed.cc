@@ -270,12 +270,12 @@ SpeedRun MeasureSpeed(const Profile& profile, const std::regex& filter,
     }
   }
   AddRayCells(benchmarks, profile, filter, seed);
-  return benchmarks.Run(profile.seconds_per_sample);
+  return benchmarks.Run(profile.speed_budget);
 }
 
 SpeedRun MeasureSpeedOn(const std::vector<Scene<float>>& f32,
                         const std::vector<Scene<double>>& f64,
-                        const std::regex& filter, double seconds) {
+                        const std::regex& filter, const SliceBudget& budget) {
   Benchmarks benchmarks;
   Cells cells(benchmarks);
   const auto add = [&]<class T>(const std::vector<Scene<T>>& scenes) {
@@ -287,23 +287,24 @@ SpeedRun MeasureSpeedOn(const std::vector<Scene<float>>& f32,
   };
   add(f32);
   add(f64);
-  return benchmarks.Run(seconds);
+  return benchmarks.Run(budget);
 }
 
 template <class T>
 SpeedRun MeasureKernels(const std::vector<const Kernel*>& kernels,
-                        const Scene<T>& scene, double seconds) {
+                        const Scene<T>& scene, const SliceBudget& budget) {
   Benchmarks benchmarks;
   Cells cells(benchmarks);
   cells.Add(std::make_shared<const Scene<T>>(scene), ListingOf(scene), kernels);
-  return benchmarks.Run(seconds);
+  return benchmarks.Run(budget);
 }
 
 template SpeedRun MeasureKernels(const std::vector<const Kernel*>&,
-                                 const Scene<float>&, double);
+                                 const Scene<float>&, const SliceBudget&);
 template SpeedRun MeasureKernels(const std::vector<const Kernel*>&,
-                                 const Scene<double>&, double);
+                                 const Scene<double>&, const SliceBudget&);
 template SpeedRun MeasureKernels(const std::vector<const Kernel*>&,
-                                 const Scene<std::int32_t>&, double);
+                                 const Scene<std::int32_t>&,
+                                 const SliceBudget&);
 
 }  // namespace pitbench

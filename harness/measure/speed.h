@@ -32,16 +32,16 @@ namespace pitbench {
 SpeedRun MeasureSpeed(const Profile& profile, const std::regex& filter,
                       std::uint64_t seed);
 
-// The same for scenes in memory; `seconds` is what a repetition lasts.
+// The same for scenes in memory.
 SpeedRun MeasureSpeedOn(const std::vector<Scene<float>>& f32,
                         const std::vector<Scene<double>>& f64,
-                        const std::regex& filter, double seconds);
+                        const std::regex& filter, const SliceBudget& budget);
 
 // The same for kernels that need not be of AllKernels(), all of the scene's
 // loop and scalar.
 template <class T>
 SpeedRun MeasureKernels(const std::vector<const Kernel*>& kernels,
-                        const Scene<T>& scene, double seconds);
+                        const Scene<T>& scene, const SliceBudget& budget);
 
 }  // namespace pitbench
 
