@@ -40,6 +40,17 @@ struct Work {
   double scene_bytes;
 };
 
+// Of the calls of a scene of points or rays, which all do as much.
+template <class Scene>
+Work WorkOfCall(const Scene& scene) {
+  const auto& call = scene.calls.front();
+  const auto bytes = static_cast<double>(scene.BytesRead(call));
+  return {.items = call.n,
+          .working_set_bytes = bytes,
+          .bytes_per_item = bytes / static_cast<double>(call.n),
+          .scene_bytes = static_cast<double>(scene.Bytes())};
+}
+
 class Benchmarks {
  public:
   // A row of calls by as many threads, and how many of the rows are cells.

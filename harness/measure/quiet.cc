@@ -32,7 +32,7 @@ std::string FirstLine(int cpu, const std::string& file) {
 // The CPUs that share the last cache with `cpu`; only itself if nobody knows.
 std::vector<int> SharesLastCache(int cpu) {
   for (int index = 4; index >= 2; --index) {
-    const std::vector<int> cpus = CpusOfList(FirstLine(
+    std::vector<int> cpus = CpusOfList(FirstLine(
         cpu, "cache/index" + std::to_string(index) + "/shared_cpu_list"));
     if (!cpus.empty()) return cpus;
   }

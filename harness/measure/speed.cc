@@ -68,15 +68,6 @@ struct PreparedScene {
     for (T*& w : result.w) w = w == nullptr ? nullptr : w + items;
     return result;
   }
-
-  Work WorkOfCall() const {
-    const Call& call = scene->calls.front();
-    const auto bytes = static_cast<double>(scene->BytesRead(call));
-    return {.items = call.n,
-            .working_set_bytes = bytes,
-            .bytes_per_item = bytes / static_cast<double>(call.n),
-            .scene_bytes = static_cast<double>(scene->Bytes())};
-  }
 };
 
 template <class T>
@@ -189,7 +180,7 @@ class Cells {
   template <class T>
   void AddRows(const Kernel& kernel, const std::string& name,
                const ProfileScene& listed, const Prepared<T>& prepared) {
-    const Work work = prepared->WorkOfCall();
+    const Work work = WorkOfCall(*prepared->scene);
     if (listed.threads) {
       for (const int threads : ThreadCounts()) {
         const auto count = static_cast<std::size_t>(threads);
@@ -220,7 +211,7 @@ class Cells {
       }
       benchmarks_.Add(CellName(copy, prepared->scene->name) + "/placed_" +
                           std::to_string(placement.shift),
-                      Timed<1>(copy, prepared), prepared->WorkOfCall());
+                      Timed<1>(copy, prepared), WorkOfCall(*prepared->scene));
     }
   }
 

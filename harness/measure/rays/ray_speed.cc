@@ -44,15 +44,6 @@ struct PreparedScene {
   RayResult<T> Target() {
     return {bits.data(), tuv[0].data(), tuv[1].data(), tuv[2].data(), &nearest};
   }
-
-  Work WorkOfCall() const {
-    const RayCall& call = scene->calls.front();
-    const auto bytes = static_cast<double>(scene->BytesRead(call));
-    return {.items = call.n,
-            .working_set_bytes = bytes,
-            .bytes_per_item = bytes / static_cast<double>(call.n),
-            .scene_bytes = static_cast<double>(scene->Bytes())};
-  }
 };
 
 template <int kCalls, class T>
@@ -89,7 +80,7 @@ void AddScene(Benchmarks& benchmarks, const RayProfileScene& listed,
         FunctionOf<T> (*kernel)(batch, prepared->Target());
       }
     }
-    const Work work = prepared->WorkOfCall();
+    const Work work = WorkOfCall(*scene);
     const TimedCalls once = Timed<1>(*kernel, prepared, kept);
     benchmarks.Add(name, once, work);
     if (!IsControl(*kernel) || !listed.methods.empty()) continue;
