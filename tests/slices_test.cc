@@ -109,7 +109,8 @@ TEST(SlicesTest, WaitsUntilItIsQuiet) {
                                                             : Quiet::kYes;
                                          },
                                      .between = [](double) {}};
-  const SliceTimes found = TimeInSlices({row}, {1.6e-3}, 9, surroundings);
+  const SliceTimes found = TimeInSlices(
+      {row}, {.seconds = 1.6e-3, .patience = 1e6}, 9, surroundings);
   EXPECT_EQ(found.quiet_share, 1);
 }
 

@@ -156,7 +156,7 @@ Profile Quick() {
                 .accuracy = {},
                 .accuracy_size = {.groups = 900, .size = 67},
                 .speed_size = kHardSpeedSize,
-                .speed_budget = {.seconds = 1.2e-3}};
+                .speed_budget = {.seconds = 1e-3}};
   AddScenes(quick.speed, {"uniform:hit=50:bytes=24k:sets=fresh"}, true,
             kEveryFloatLoop);
   AddScenes(quick.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
