@@ -35,10 +35,37 @@ HWY_INLINE V AndOfThree(V a, V b, V c) {
 }
 #endif
 
-// What tells of the margins of a block whether all decide: scaled, the and of
-// their bits, which AVX-512 makes of two margins in one instruction; else their
-// least magnitude, where a margin that is NaN is passed over. Where margins are
-// shifted, DecidedBits tells it instead.
+// What tells of the margins of a block whether all decide.
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+// Shifted: the least that is not negative. It is found among unsigned integers,
+// of which negative margins are the largest; of f64 the halves apart, and their
+// least together are no more than the least margin.
+template <class D>
+HWY_INLINE Vec<D> OfNoMargin(D d) {
+  const hn::RebindToSigned<D> di;
+  return hn::BitCast(d, hn::Set(di, -1));
+}
+template <class D>
+HWY_INLINE Vec<D> WithMargin(D d, Vec<D> so_far, Vec<D> margin,
+                             Mask<D> inside) {
+#if HWY_TARGET == HWY_SSSE3  // has no such minimum: the signs of the undecided
+  return And(so_far, Or(hn::VecFromMask(d, inside), margin));
+#else
+  (void)inside;
+  const hn::Repartition<std::uint32_t, D> du;
+  return hn::BitCast(
+      d, hn::Min(hn::BitCast(du, so_far), hn::BitCast(du, margin)));
+#endif
+}
+template <class D>
+HWY_INLINE bool AllDecided(D d, Vec<D> of_all, TFromD<D> inside_above) {
+  const auto above = hn::VecFromMask(d, Gt(of_all, Set(d, inside_above)));
+  return hn::AllTrue(d, SignMask(Or(above, of_all)));
+}
+#else
+// Scaled: the and of their bits, which AVX-512 makes of two margins in one
+// instruction; else their least magnitude, where a margin that is NaN is passed
+// over.
 template <class D>
 HWY_INLINE Vec<D> OfNoMargin(D d) {
   using Limits = std::numeric_limits<TFromD<D>>;
@@ -64,6 +91,7 @@ HWY_INLINE bool AllDecided(D d, Vec<D> of_all, TFromD<D> inside_above) {
     return hn::AllTrue(d, Gt(of_all, Set(d, inside_above)));
   }
 }
+#endif
 
 // Which lanes a margin decides, as bits. `inside` are those that it says are
 // inside.
@@ -133,39 +161,28 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> inside_above,
       std::uint8_t* const to = bits + first / 8;
       auto of_all = OfNoMargin(d);
       auto first_of_two = Set(d, TFromD<D>{0});
-      std::uint64_t all_decided = 0xFF;
 #pragma GCC unroll 8
       for (std::size_t i = 0; i < block; i += step) {
         std::uint64_t byte = 0;
-        std::uint64_t decided_byte = 0;
         for (std::size_t j = 0; j < step; j += lanes) {
           const auto margin = margin_at(first + i + j);
           const auto inside = Gt(margin, threshold);
           if constexpr (kShifted) {
-            const std::uint64_t in = MaskBits(d, inside);
-            byte |= in << j;
-            decided_byte |= DecidedBits(d, margin, in, inside_above) << j;
+            of_all = WithMargin(d, of_all, margin, inside);
+          } else if ((i + j) / lanes % 2 == 0) {
+            first_of_two = margin;
           } else {
-            if ((i + j) / lanes % 2 == 0) {
-              first_of_two = margin;
-            } else {
-              of_all = WithMargins(of_all, first_of_two, margin);
-            }
-            if (lanes >= 8) {
-              hn::StoreMaskBits(d, inside, to + i / 8);
-            } else {
-              byte |= MaskBits(d, inside) << j;
-            }
+            of_all = WithMargins(of_all, first_of_two, margin);
+          }
+          if (lanes >= 8) {
+            hn::StoreMaskBits(d, inside, to + i / 8);
+          } else {
+            byte |= MaskBits(d, inside) << j;
           }
         }
-        if (kShifted || lanes < 8) to[i / 8] = static_cast<std::uint8_t>(byte);
-        all_decided &= decided_byte;
-        // Where a byte is of several vectors: now, not at the end of the block,
-        // which takes more registers than there are.
-        if (kShifted && lanes < 8) asm("" : "+r"(all_decided));
+        if (lanes < 8) to[i / 8] = static_cast<std::uint8_t>(byte);
       }
-      decided =
-          kShifted ? all_decided == 0xFF : AllDecided(d, of_all, inside_above);
+      decided = AllDecided(d, of_all, inside_above);
       if (HWY_UNLIKELY(!decided)) break;
     }
     if (!decided) {
