@@ -146,7 +146,13 @@ TEST_F(MeasuredTest, EveryIsaThatRunsHereHasEveryLimitOnce) {
             << isa << scalar << operation;
       }
     }
-    EXPECT_TRUE(seen.contains({isa, "f32", "mixed"})) << isa;
+    for (const char* operation : {"mixed", "add_min_max_compare"}) {
+      EXPECT_TRUE(seen.contains({isa, "f32", operation})) << isa << operation;
+      EXPECT_TRUE(seen.contains({isa, "f64", operation})) << isa << operation;
+    }
+    EXPECT_EQ(seen.contains({isa, "f32", "multiply_multiply_add"}),
+              seen.contains({isa, "f32", "multiply_add"}))
+        << isa;
     EXPECT_TRUE(seen.contains({isa, "i16", "integer_multiply"})) << isa;
     for (const char* level : {"L1", "L2", "DRAM"}) {
       EXPECT_TRUE(Loads(level).contains(isa)) << isa << " " << level;
@@ -204,6 +210,11 @@ TEST_F(MeasuredTest, OperationsRankAsTheyMust) {
       EXPECT_GT(Rates("mixed", scalar).at(isa),
                 0.5 * std::min(Rates("add", scalar).at(isa),
                                Rates("multiply", scalar).at(isa)))
+          << scalar << isa;
+      EXPECT_GT(Rates("add_min_max_compare", scalar).at(isa),
+                0.5 * std::min({Rates("add", scalar).at(isa),
+                                Rates("min_max", scalar).at(isa),
+                                Rates("compare", scalar).at(isa)}))
           << scalar << isa;
     }
   }

@@ -82,15 +82,17 @@ TEST(SlicesTest, OfEachPartOfALongCallTheFastestPassCounts) {
         seconds.assign(3, static_cast<double>(call + 1) * 100 * kMicro);
         seconds[pass++ % 3] *= 9;  // each pass is disturbed somewhere
       }};
-  const SliceTimes found = TimeInSlices({row}, {1.2e-3}, 6, kCalm);
+  const SliceTimes found = TimeInSlices({row}, {2.3e-4}, 6, kCalm);
   for (std::size_t k = 0; k < found.rows[0].size(); ++k) {
     const Repetition& repetition = found.rows[0][k];
     EXPECT_NEAR(repetition.call_seconds,
                 static_cast<double>(k % 3 + 1) * 300 * kMicro, 1e-12);
     EXPECT_NEAR(repetition.mean_call_seconds,
                 static_cast<double>(k % 3 + 1) * 1100 * kMicro, 1e-12);
-    EXPECT_EQ(repetition.calls, 4u);
+    EXPECT_EQ(repetition.calls, 6u);
   }
+  const SliceTimes longer = TimeInSlices({row}, {1}, 1, kCalm);
+  EXPECT_EQ(longer.rows[0][0].calls, 8u);
 }
 
 TEST(SlicesTest, WaitsUntilItIsQuiet) {

@@ -2,8 +2,9 @@
 
 An item cannot take less time than its bytes need to arrive (memory), nor than
 its operations need in the units that do them (compute): for each kind of
-operation, count ÷ rate of that kind, and for all kinds together, total ÷ the
-highest rate of any mix. The bound is the largest of these times. What a call
+operation, count ÷ rate of that kind; for kinds that may share units, their
+total ÷ the highest rate of any of them and of them together; and for all kinds
+together, total ÷ the highest rate of any mix. The bound is the largest of these times. What a call
 does once is spread over its items, at the same rates, which is less than one
 lane takes for it.
 
@@ -47,8 +48,15 @@ ALL: Final = "all operations"
 ARITHMETIC: Final = tuple(
     kind for kind in KINDS if kind not in ("logic", "convert", "load", "store")
 )
+# Kinds of which some CPUs do one in the units of another; the probe that does
+# them at once. Where they share none, its rate is that of all their units.
+TOGETHER: Final = {
+    "add_min_max_compare": ("add", "min_max", "compare"),
+    "multiply_multiply_add": ("multiply", "multiply_add"),
+}
 _FLOATS: Final = ("f32", "f64")
-Counts = dict[str, dict[str, Any]]  # "call" and "item" → kind → operations
+Counts = dict[str, dict[str, Any]]  # of _PER, kind → operations
+_PER: Final = ("item", "call")
 SCALAR_BYTES: Final = {"f32": 4, "f64": 8, "i32": 4, "i16": 2, "u8": 1}
 
 
@@ -155,6 +163,11 @@ def compute_ns(
         kind: time(kind, counts["item"][kind], counts["call"][kind])
         for kind in ARITHMETIC
     }
+    # Integers, which may be what is added, have no such probes.
+    together = TOGETHER if set(types) <= set(_FLOATS) else {}
+    for probe, kinds in together.items():
+        each, once = (sum(counts[per][kind] for kind in kinds) for per in _PER)
+        times[probe] = time(probe, each, once)
     times[ALL] = time(ALL, total(counts["item"]), total(counts["call"]))
     longest = max(times, key=lambda kind: times[kind])
     return (times[longest], longest) if times[longest] > 0 else (math.nan, "")
@@ -186,6 +199,9 @@ def _rate(limits: Limits, isa: str, scalar: str, kind: str) -> float:
     if kind == ALL:
         return limits.total_rate(isa, scalar)
     rate = limits.rate(isa, scalar, kind)
+    if kind in TOGETHER and rate == rate:
+        alone = [limits.rate(isa, scalar, one) for one in TOGETHER[kind]]
+        return max([rate, *(one for one in alone if one == one)])
     if rate != rate and kind == "multiply":
         return limits.rate(isa, scalar, "integer_multiply")
     return rate

@@ -17,6 +17,8 @@ OPERATIONS: Final = {
     "multiply": "multiply",
     "multiply_add": "multiply-add",
     "mixed": "both at once",
+    "multiply_multiply_add": "multiply and multiply-add",
+    "add_min_max_compare": "add, min and compare",
     "divide": "divide",
     "min_max": "min, max",
     "compare": "compare",

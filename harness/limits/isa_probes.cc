@@ -166,6 +166,26 @@ struct MixedStep {
   }
 };
 
+struct TwoAddsStep {
+  template <class D, class V>
+  HWY_INLINE void operator()(D t, V& x, V& c, V& d) const {
+    AddStep()(t, x, c, d);
+    Launder(x);
+    AddStep()(t, x, c, d);
+  }
+};
+// Apart, so that what a comparison leaves in x is not added to.
+struct MinAndCompareStep {
+  template <class D, class V>
+  HWY_INLINE void operator()(D t, V& x, V& c, V& d) const {
+    V least = d;
+    Launder(least);
+    MinStep()(t, least, c, d);
+    Keep(least);
+    CompareStep()(t, x, c, d);
+  }
+};
+
 // Runs a step on each chain; `even` for those at an even place.
 template <class T, class Even, class Odd, std::size_t kPerStep>
 std::size_t Run(std::size_t rounds) {
@@ -234,6 +254,16 @@ std::size_t RunMixed(std::size_t rounds) {
   return Run<T, MixedStep<true>, MixedStep<false>, kPerStep>(rounds);
 }
 
+template <class T>
+std::size_t RunAddMinMaxCompare(std::size_t rounds) {
+  return Run<T, TwoAddsStep, MinAndCompareStep, 2>(rounds);
+}
+
+template <class T>
+std::size_t RunMultiplyMultiplyAdd(std::size_t rounds) {
+  return Run<T, MultiplyStep, MultiplyAddStep, 1>(rounds);
+}
+
 // Twelve vectors a step, kStreams arrays side by side.
 template <class T, Access kAccess, std::size_t kStreams>
 void Walk(std::byte* memory, std::size_t bytes, std::size_t rounds) {
@@ -282,6 +312,7 @@ constexpr OperationProbe kOperations[] = {
     Probe<float, MinStep>("f32", Operation::kMinMax),
     Probe<float, CompareStep>("f32", Operation::kCompare),
     {kIsa, "f32", Operation::kMixed, RunMixed<float>},
+    {kIsa, "f32", Operation::kAddMinMaxCompare, RunAddMinMaxCompare<float>},
 #if HWY_HAVE_FLOAT64
     Probe<double, AddStep>("f64", Operation::kAdd),
     Probe<double, MultiplyStep>("f64", Operation::kMultiply),
@@ -289,10 +320,15 @@ constexpr OperationProbe kOperations[] = {
     Probe<double, MinStep>("f64", Operation::kMinMax),
     Probe<double, CompareStep>("f64", Operation::kCompare),
     {kIsa, "f64", Operation::kMixed, RunMixed<double>},
+    {kIsa, "f64", Operation::kAddMinMaxCompare, RunAddMinMaxCompare<double>},
 #endif
 #if PITBENCH_FUSED
     Probe<float, MultiplyAddStep>("f32", Operation::kMultiplyAdd),
     Probe<double, MultiplyAddStep>("f64", Operation::kMultiplyAdd),
+    {kIsa, "f32", Operation::kMultiplyMultiplyAdd,
+     RunMultiplyMultiplyAdd<float>},
+    {kIsa, "f64", Operation::kMultiplyMultiplyAdd,
+     RunMultiplyMultiplyAdd<double>},
 #endif
     Probe<std::int32_t, AddStep>("i32", Operation::kAdd),
     Probe<std::int32_t, MultiplyStep>("i32", Operation::kIntegerMultiply),

@@ -91,6 +91,10 @@ std::string_view Name(Operation operation) {
       return "integer_multiply";
     case Operation::kMixed:
       return "mixed";
+    case Operation::kAddMinMaxCompare:
+      return "add_min_max_compare";
+    case Operation::kMultiplyMultiplyAdd:
+      return "multiply_multiply_add";
   }
   return "?";
 }

@@ -29,9 +29,12 @@ enum class Operation {
   kMinMax,
   kCompare,          // to a mask
   kIntegerMultiply,  // the low half of the product
-  kMixed,  // of floating-point numbers: multiply-adds (multiplications where
-           // the ISA has none) and as many additions, for units that do one
-           // and not the other
+  // Of floating-point numbers, several kinds at once: units that do one may or
+  // may not be the units that do another.
+  kMixed,  // multiply-adds (multiplications where the ISA has none) and as many
+           // additions
+  kAddMinMaxCompare,     // as many additions as minima and comparisons together
+  kMultiplyMultiplyAdd,  // as many of the one as of the other
 };
 
 struct OperationProbe {

@@ -42,6 +42,13 @@ double Calibrated(const TimedCalls& row) {
   return best;
 }
 
+// Parts of long calls come from memory that all cores share, where two passes
+// are rarely alike. So there are as many passes as of other calls, unless a
+// repetition would take that many times as long as theirs.
+std::size_t PassesOfParts(double call_seconds, double seconds) {
+  return Whole(std::min(kMostPasses, kMostPasses * seconds / call_seconds));
+}
+
 // What the passes over one piece of a repetition came to.
 struct Piece {
   std::size_t first;  // call
@@ -188,7 +195,7 @@ SliceTimes TimeInSlices(const std::vector<TimedCalls>& rows,
     const double call_seconds = Calibrated(row);
     SlicePlan plan = PlanSlices(call_seconds, row.round, budget.seconds);
     if (row.time_parts) {
-      plan = {1, 1, Whole(budget.seconds / call_seconds), 0};
+      plan = {1, 1, PassesOfParts(call_seconds, budget.seconds), 0};
     }
     plans.push_back(plan);
     slice_seconds.push_back(

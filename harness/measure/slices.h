@@ -87,7 +87,9 @@ struct SliceTimes {
 };
 
 struct SliceBudget {
-  double seconds;  // of a repetition of a row, warm-up aside
+  // Of a repetition of a row, warm-up aside; eight times that where calls are
+  // timed in parts.
+  double seconds;
   // How many times as long that may take where the machine is not quiet; half
   // of it may be spent on waiting for a faster clock alone.
   double patience = 3;

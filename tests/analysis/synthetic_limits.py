@@ -1,7 +1,7 @@
 """The limits of the made-up machine, and invented counts of operations.
 
 Its clock runs at 3.5 GHz; each cycle it does two additions, two multiply-adds
-and four of both, loads two vectors from L1, one from L2, half of one from L3
+and four of both, compares in units that do not add, loads two vectors from L1, one from L2, half of one from L3
 and an eighth from memory: round numbers, so that bounds can be made by hand.
 """
 
@@ -16,7 +16,11 @@ A_CYCLE = {"add": 2.0, "multiply": 2.0, "multiply_add": 2.0, "mixed": 4.0} | {
     "divide": 0.2,
     "min_max": 2.0,
     "compare": 2.0,
+    "add_min_max_compare": 4.0,
+    "multiply_multiply_add": 2.0,
 }
+_FUSED = ("multiply_add", "multiply_multiply_add")
+_OF_FLOATS = (*_FUSED, "divide", "mixed", "add_min_max_compare")
 LEVELS = [
     ("L1", 49152, 24576, 2.0),
     ("L2", 1 << 20, 1 << 19, 1.0),
@@ -44,10 +48,10 @@ def limits(context: dict[str, Any], isas: tuple[str, ...]) -> dict[str, Any]:
         for scalar in WIDTHS:
             lanes = 1 if isa == "scalar" else BYTES[isa] // WIDTHS[scalar]
             for kind, count in A_CYCLE.items():
-                if kind == "multiply_add" and isa not in ("avx2", "avx512"):
+                if kind in _FUSED and isa not in ("avx2", "avx512"):
                     continue
                 if scalar[0] != "f":
-                    if kind in ("multiply_add", "divide", "mixed"):
+                    if kind in _OF_FLOATS:
                         continue
                     kind = "integer_multiply" if kind == "multiply" else kind
                 value = GHZ * 1e9 * lanes * count

@@ -140,6 +140,7 @@ def test_without_counts_a_row_has_the_bound_of_memory_and_says_so(
         ({"multiply": 6, "add": 6, "compare": 3}, 15 / 64, ALL),
         ({"divide": 1}, 1 / 3.2, "divide"),
         ({"min_max": 3, "add": 1}, 3 / 32, "min_max"),
+        ({"multiply": 4, "multiply_add": 3}, 7 / 32, "multiply_multiply_add"),
         ({"logic": 1000, "load": 1000, "store": 1000, "add": 4}, 4 / 32, "add"),
     ],
 )
@@ -154,6 +155,31 @@ def test_compute_time_is_the_longest_of_each_kind_and_of_all(
     assert row["compute_ns"] == pytest.approx(cycles / GHZ)
     assert (row["bound_by"], row["bound_of"]) == ("compute", kind)
     assert row["bound_ns"] == row["compute_ns"]
+
+
+def test_kinds_that_share_units_are_bound_together(tmp_path: Path) -> None:
+    document = limits_document(CONTEXT, ISAS)
+    for row in document["operations"]:
+        if row["operation"] == "add_min_max_compare":
+            row["operations_per_second"] /= 2  # no more than additions alone
+    sharing = loaded(tmp_path, document)
+    table = counts(tmp_path, multiply=6, add=6, compare=3)
+    row = bound(cell(), sharing, table)
+    assert row["compute_ns"] == pytest.approx(9 / 32 / GHZ)
+    assert row["bound_of"] == "add_min_max_compare"
+    assert bound_words(row) == "add, min and compare"
+    # What is converted may be added as integers, in whatever units do that.
+    whole = counts(tmp_path, add=6, compare=3, convert=1, integer_multiply=1)
+    assert bound(cell(), sharing, whole)["bound_of"] != "add_min_max_compare"
+
+
+def test_together_no_slower_than_one_of_them_alone(tmp_path: Path) -> None:
+    document = limits_document(CONTEXT, ISAS)
+    for row in document["operations"]:
+        if row["operation"] == "add_min_max_compare":
+            row["operations_per_second"] /= 8  # disturbed
+    row = bound(cell(), loaded(tmp_path, document), counts(tmp_path, add=6, compare=3))
+    assert row["compute_ns"] == pytest.approx(9 / 32 / GHZ)
 
 
 def test_the_longer_of_memory_and_compute_bounds(
