@@ -3,10 +3,10 @@
 An item cannot take less time than its bytes need to arrive (memory), nor than
 its operations need in the units that do them (compute): for each kind of
 operation, count ÷ rate of that kind; for kinds that may share units, their
-total ÷ the highest rate of any of them and of them together; and for all kinds
-together, total ÷ the highest rate of any mix. The bound is the largest of these times. What a call
-does once is spread over its items, at the same rates, which is less than one
-lane takes for it.
+total ÷ the highest rate of any of them and of them together; and for all kinds,
+their total ÷ the highest rate of any mix. The bound is the largest of these
+times. What a call does once is spread over its items, at the same rates, which
+is less than one lane takes for it.
 
 Where a method's operations were not counted only the memory is known, and the
 bound is no more than that: the row says so.
