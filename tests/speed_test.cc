@@ -191,26 +191,35 @@ TEST(SpeedTest, ThreadsShareTheItemsOfACall) {
 
 // What a kernel was called with.
 struct Seen {
-  const float* x;
+  const float* triangle;
+  const float* point;
   std::size_t n;
   const std::uint8_t* bits;
 };
 std::vector<Seen> g_seen;
+Kernel g_real;
 
-TEST(SpeedTest, ALongCallIsTimedInPartsThatAreTheWhole) {
+class LongCallTest : public testing::TestWithParam<Loop> {};
+
+TEST_P(LongCallTest, IsTimedInPartsThatAreTheWhole) {
   constexpr std::size_t kItems = (std::size_t{1} << 21) + 100;
-  Scene<float> scene = HandMadeScene();
-  scene.name = "long";
-  scene.px.assign(kItems, 3);
-  scene.py.assign(kItems, 3);
+  const bool one_triangle = GetParam() == Loop::kOneTriangle;
+  const bool one_point = GetParam() == Loop::kOnePoint;
+  Scene<float> scene{.name = "long", .loop = GetParam()};
+  for (std::size_t k = 0; k < (one_triangle ? 1 : kItems); ++k) {
+    scene.Add(Triangle<float>{{0, 0}, {4, 0}, {0, 4}});
+  }
+  for (std::size_t k = 0; k < (one_point ? 1 : kItems); ++k) {
+    scene.Add(Point<float>{1, 1});
+  }
   scene.calls = {{0, 0, kItems}};
-  Kernel kernel = OneTriangleKernel("edge_function", Output::kInside);
+  g_real = ScalarKernel("edge_function", GetParam(), Output::kInside);
+  Kernel kernel = g_real;
   kernel.f32 = [](const Batch<float>& batch, const Result<float>& result) {
-    g_seen.push_back({batch.px, batch.n, result.bits});
-    static const Kernel real =
-        OneTriangleKernel("edge_function", Output::kInside);
-    real.f32(batch, result);
+    g_seen.push_back({batch.ax, batch.px, batch.n, result.bits});
+    g_real.f32(batch, result);
   };
+  g_seen.clear();
   const SpeedRun run = MeasureKernels({&kernel}, scene, {1e-5});
   ASSERT_EQ(RowsByName(run.file).size(), 1u);
   // The last pass.
@@ -219,13 +228,19 @@ TEST(SpeedTest, ALongCallIsTimedInPartsThatAreTheWhole) {
   while (items < kItems && first != 0) {
     items += g_seen[--first].n;
     if (first + 1 == g_seen.size()) continue;
+    const Seen& part = g_seen[first];
     const Seen& next = g_seen[first + 1];
-    EXPECT_EQ(g_seen[first].x + g_seen[first].n, next.x);
-    EXPECT_EQ(g_seen[first].bits + g_seen[first].n / 8, next.bits);
+    EXPECT_EQ(part.triangle + (one_triangle ? 0 : part.n), next.triangle);
+    EXPECT_EQ(part.point + (one_point ? 0 : part.n), next.point);
+    EXPECT_EQ(part.bits + part.n / 8, next.bits);
   }
   EXPECT_EQ(items, kItems);
   EXPECT_GT(g_seen.size() - first, 30u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Loops, LongCallTest,
+                         testing::Values(Loop::kOneTriangle, Loop::kOnePoint,
+                                         Loop::kPairs));
 
 TEST(ThreadsTest, PartsFollowEachOtherAndAreTheWhole) {
   for (const std::size_t n : {0, 1, 63, 64, 1000, 1 << 20}) {

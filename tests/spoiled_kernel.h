@@ -12,16 +12,20 @@
 
 namespace pitbench {
 
-// The scalar f32 kernel of the method for loop one_triangle.
-inline const Kernel& OneTriangleKernel(std::string_view method, Output output) {
+// The scalar f32 kernel of the method for the loop.
+inline const Kernel& ScalarKernel(std::string_view method, Loop loop,
+                                  Output output) {
   for (const Kernel& kernel : AllKernels()) {
     if (kernel.method.key == method && kernel.isa == Isa::kScalar &&
-        kernel.scalar == Scalar::kF32 && kernel.loop == Loop::kOneTriangle &&
+        kernel.scalar == Scalar::kF32 && kernel.loop == loop &&
         kernel.output == output) {
       return kernel;
     }
   }
   throw std::logic_error("no such kernel");
+}
+inline const Kernel& OneTriangleKernel(std::string_view method, Output output) {
+  return ScalarKernel(method, Loop::kOneTriangle, output);
 }
 
 // barycentric_determinant_closed, and then `kSpoil(batch, result)`.

@@ -11,6 +11,7 @@ from analysis.report import columns
 from analysis.report.exhibits import Column, Exhibits
 from analysis.report.wording import counted
 from analysis.trust.controls import TITLES
+from analysis.trust.controls import NEGLIGIBLE
 from analysis.trust.noise import MOST_NOISY_ROWS, Verdict
 from analysis.trust.noisy_marks import noise_note
 from analysis.trust.placement import (
@@ -55,7 +56,8 @@ def add_trust(
             "pairs",
             "The pairs of which the ratio is known: the same kernel timed twice (A/A) "
             "and twice its work timed as if it were one (2×). The intervals of "
-            "the A/A pairs are so wide that with 95 % they all hold 1 at once.",
+            "the A/A pairs are so wide that with 95 % they all hold 1 at once; to "
+            f"miss it by {100 * NEGLIGIBLE} % is no trouble.",
             judged.pairs,
             PAIRS,
         )
@@ -91,6 +93,7 @@ def trust_facts(judged: Verdict, spread: pd.DataFrame) -> dict[str, Any]:
         "noisy_share": _percent(judged.noisy_rows / judged.rows if judged.rows else 0),
         "most_noisy": f"{100 * MOST_NOISY_ROWS:.0f} %",
         "tolerance": f"{100 * TOLERANCE:.0f} %",
+        "negligible": f"{100 * NEGLIGIBLE} %",
         "placement": placement_words(spread),
     }
 
@@ -106,6 +109,9 @@ def _pairs(pairs: pd.DataFrame, control: str) -> dict[str, Any] | None:
         return None
     expected = own["expected"].iloc[0]
     holds = (own["ratio_low"] <= expected) & (expected <= own["ratio_high"])
+    near = (own["ratio_low"] <= expected * (1 + NEGLIGIBLE)) & (
+        own["ratio_high"] >= expected * (1 - NEGLIGIBLE)
+    )
     return {
         "count": len(own),
         "counted": counted(len(own), "pair"),
@@ -114,6 +120,7 @@ def _pairs(pairs: pd.DataFrame, control: str) -> dict[str, Any] | None:
         "lowest": f"{own['ratio_low'].min():.3f}",
         "highest": f"{own['ratio_high'].max():.3f}",
         "holding": int(holds.sum()),
+        "near": int(near.sum()),
         "excluding_one": int(((own["ratio_low"] > 1) | (own["ratio_high"] < 1)).sum()),
         "troubled": int((own["trouble"] != "").sum()),
     }

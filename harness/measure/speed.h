@@ -12,7 +12,8 @@
 //   - a difference may be no difference, so one kernel of every loop is
 //     registered twice (`…/twin`): what the two seem to differ by is noise; and
 //     a real one may be missed, so it is there a third time with two calls for
-//     one (`…/doubled`), which has to come out at twice the time;
+//     one (`…/doubled`), which has to come out at twice the time (not where a
+//     call is timed in parts: of its scene there is one call only);
 //   - where code lies changes its time, so some kernels are timed with theirs
 //     in other places too (`…/placed_<bytes>`, kernels/placements.h).
 // Repetitions are kept, not averaged: the analysis makes intervals of them.

@@ -80,6 +80,29 @@ def test_twins_as_near_as_their_spread_do_not_make_it_noisy() -> None:
     assert verdict(twin=1.004).word == "quiet"
 
 
+@pytest.mark.parametrize(("ratio", "word"), [(1.004, "quiet"), (1.006, "noisy")])
+def test_what_a_sharp_interval_misses_1_by_has_to_be_worth_a_word(
+    ratio: float, word: str
+) -> None:
+    sharp = [4.0 + k / 1e5 for k in range(9)]
+    twin = [ratio * time for time in sharp]
+    found = judge(speed_frame({BASE: sharp, BASE + "/twin": twin}), (shard("speed-a"),))
+    assert found.word == word
+    assert (
+        not found.pairs["ratio_low"].iloc[0] <= 1 <= found.pairs["ratio_high"].iloc[0]
+    )
+
+
+def test_of_a_long_call_twice_the_work_has_no_known_ratio() -> None:
+    speed = speed_frame(
+        {BASE: TIMES, BASE + "/twin": TIMES, BASE + "/doubled": slower(1.8)}
+    )
+    assert len(control_pairs(speed)) == 2
+    assert list(
+        control_pairs(speed.assign(working_set_bytes=2.0**24))["control"]
+    ) == ["twin"]
+
+
 def test_missing_a_real_difference_makes_it_noisy() -> None:
     found = verdict(doubled=1.0)
     assert found.word == "noisy"
@@ -187,12 +210,12 @@ def many_rows(noisy: int) -> pd.DataFrame:
     return speed_frame({**rows, name("m39", "avx2") + "/twin": slower(4.9)})
 
 
-def test_more_noisy_rows_than_chance_would_give_make_it_noisy() -> None:
-    two = judge(many_rows(2), (shard("speed-a"),))
-    assert (two.word, two.noisy_rows) == ("quiet", 2)
-    three = judge(many_rows(3), (shard("speed-a"),))
-    assert three.word == "noisy"
-    assert "3 of 40 rows are noisy by themselves" in three.reasons[0].text
+def test_more_noisy_rows_than_a_quiet_machine_has_make_it_noisy() -> None:
+    ten = judge(many_rows(10), (shard("speed-a"),))
+    assert (ten.word, ten.noisy_rows) == ("quiet", 10)
+    more = judge(many_rows(11), (shard("speed-a"),))
+    assert more.word == "noisy"
+    assert "11 of 40 rows are noisy by themselves" in more.reasons[0].text
 
 
 @pytest.mark.parametrize(
