@@ -143,6 +143,8 @@ class Patience {
       const Quiet before = now_;
       window.TimeSlice();
       now_ = look_();
+      // Who waited for threads of its own has just been woken up: look again.
+      if (now_ < Wanted()) now_ = look_();
       around = std::min(before, now_);
     } while (around < Wanted());
     window.GoOn();
