@@ -2,6 +2,7 @@
 #ifndef PITBENCH_HARNESS_MEASURE_BENCHMARKS_H_
 #define PITBENCH_HARNESS_MEASURE_BENCHMARKS_H_
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include "harness/measure/clock.h"
 #include "harness/measure/occupancy.h"
 #include "harness/measure/slices.h"
+#include "kernels/kernels.h"
 
 namespace pitbench {
 
@@ -49,6 +51,23 @@ Work WorkOfCall(const Scene& scene) {
           .working_set_bytes = bytes,
           .bytes_per_item = bytes / static_cast<double>(call.n),
           .scene_bytes = static_cast<double>(scene.Bytes())};
+}
+
+// Whether `kernel` is the control of its loop, whose time is known to be that
+// of its `…/twin` and half of that of its `…/doubled`: of those that may be it,
+// the one of the widest ISA among what is timed. AVX-512 is left out: not to
+// have a control that few machines have.
+template <class K, class MayBe>
+bool IsControl(const K& kernel, const std::vector<const K*>& timed,
+               const MayBe& may_be) {
+  const auto candidate = [&](const K& k) {
+    return k.loop == kernel.loop && may_be(k) &&
+           (k.isa == Isa::kSse4 || k.isa == Isa::kAvx2 || k.isa == Isa::kNeon);
+  };
+  return candidate(kernel) &&
+         std::none_of(timed.begin(), timed.end(), [&](const K* other) {
+           return candidate(*other) && other->isa > kernel.isa;
+         });
 }
 
 class Benchmarks {

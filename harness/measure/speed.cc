@@ -17,12 +17,9 @@
 namespace pitbench {
 namespace {
 
-// The kernel whose time is known to be that of its `…/twin` and half of that
-// of its `…/doubled`, in every loop and scene.
-bool IsControl(const Kernel& kernel) {
+bool MayBeControl(const Kernel& kernel) {
   return kernel.method.key == "edge_function" &&
-         kernel.output == Output::kInside &&
-         (kernel.isa == Isa::kAvx2 || kernel.isa == Isa::kNeon);
+         kernel.output == Output::kInside;
 }
 
 // A scene as its calls find it: shared by all of its rows, so that no row has
@@ -169,7 +166,9 @@ class Cells {
       Prepared<T>& own = prepared[aos ? 1 : 0];
       if (!own) own = std::make_shared<PreparedScene<T>>(scene, aos);
       if (kernel->output == Output::kWeights) own->MakeRoomForWeights();
-      AddRows(*kernel, name, listed, own);
+      const bool control =
+          listed.methods.empty() && IsControl(*kernel, kernels, MayBeControl);
+      AddRows(*kernel, name, listed, own, control);
       if (!listed.threads && placed_.insert(kernel).second) {
         AddPlacements(*kernel, own, truth);
       }
@@ -179,7 +178,8 @@ class Cells {
  private:
   template <class T>
   void AddRows(const Kernel& kernel, const std::string& name,
-               const ProfileScene& listed, const Prepared<T>& prepared) {
+               const ProfileScene& listed, const Prepared<T>& prepared,
+               bool control) {
     const Work work = WorkOfCall(*prepared->scene);
     if (listed.threads) {
       for (const int threads : ThreadCounts()) {
@@ -191,7 +191,7 @@ class Cells {
     }
     const TimedCalls once = Timed<1>(kernel, prepared);
     benchmarks_.Add(name, once, work);
-    if (IsControl(kernel) && listed.methods.empty()) {
+    if (control) {
       benchmarks_.Add(name + "/twin", once, work);
       // A long call is the only one of its scene: the second time it finds in
       // the last cache some of what it left there.

@@ -14,10 +14,9 @@
 namespace pitbench {
 namespace {
 
-bool IsControl(const RayKernel& kernel) {
+bool MayBeControl(const RayKernel& kernel) {
   return kernel.method.key == "moller_trumbore" &&
-         kernel.output != RayOutput::kTuv &&
-         (kernel.isa == Isa::kAvx2 || kernel.isa == Isa::kNeon);
+         kernel.output != RayOutput::kTuv;
 }
 
 // A scene as its calls find it, shared by all of its rows.
@@ -83,7 +82,9 @@ void AddScene(Benchmarks& benchmarks, const RayProfileScene& listed,
     const Work work = WorkOfCall(*scene);
     const TimedCalls once = Timed<1>(*kernel, prepared, kept);
     benchmarks.Add(name, once, work);
-    if (!IsControl(*kernel) || !listed.methods.empty()) continue;
+    if (!listed.methods.empty() || !IsControl(*kernel, kernels, MayBeControl)) {
+      continue;
+    }
     benchmarks.Add(name + "/twin", once, work);
     benchmarks.Add(name + "/doubled", Timed<2>(*kernel, prepared, kept), work);
   }
