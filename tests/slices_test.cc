@@ -116,6 +116,22 @@ TEST(SlicesTest, WaitsUntilItIsQuiet) {
   EXPECT_EQ(found.quiet_share, 1);
 }
 
+TEST(SlicesTest, LooksTwiceAfterASliceThatHadToBeWokenUpFrom) {
+  bool woken = false;
+  const TimedCalls row = {7, [&](std::size_t first, std::size_t count) {
+                            woken = true;
+                            return CostOf(first, count, 7);
+                          }};
+  const Surroundings surroundings = {.look =
+                                         [&] {
+                                           return std::exchange(woken, false)
+                                                      ? Quiet::kDisturbed
+                                                      : Quiet::kYes;
+                                         },
+                                     .between = [](double) {}};
+  EXPECT_EQ(TimeInSlices({row}, {1e-4}, 2, surroundings).quiet_share, 1);
+}
+
 TEST(SlicesTest, DoesNotWaitForEver) {
   for (const auto& [state, share] :
        {std::pair(Quiet::kDisturbed, 0), std::pair(Quiet::kSlower, 1)}) {

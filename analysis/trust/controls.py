@@ -34,8 +34,9 @@ def control_pairs(speed: pd.DataFrame) -> pd.DataFrame:
     miss it by no more than NEGLIGIBLE. Intervals of CONFIDENCE each would
     exclude it once in twenty pairs, so in nearly every run; these are so wide
     that with CONFIDENCE all of a run's intervals hold it at once (Bonferroni):
-    of m pairs each has a coverage of 1 − (1 − CONFIDENCE)/m. A doubled pair must come out within TOLERANCE of 2,
-    and its interval, which is like those of all other ratios, exclude 1.
+    of m pairs each has a coverage of 1 − (1 − CONFIDENCE)/m. A doubled pair must
+    come out within TOLERANCE of 2, and its interval, which is like those of all
+    other ratios, exclude 1.
     """
     long = speed["working_set_bytes"] >= LONG_CALL_BYTES
     speed = speed[~(long & (speed["control"] == DOUBLED))]
