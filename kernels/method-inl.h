@@ -126,6 +126,13 @@ struct Triangles {
   HWY_INLINE Vec<D> Cx() const { return loaded[4]; }
   HWY_INLINE Vec<D> Cy() const { return loaded[5]; }
 #endif
+
+  // For a method that uses them once: what is an operand in memory needs no
+  // instruction that loads it.
+  HWY_INLINE Vec<D> BxUsedOnce() const { return hn::LoadU(d, bx); }
+  HWY_INLINE Vec<D> ByUsedOnce() const { return hn::LoadU(d, by); }
+  HWY_INLINE Vec<D> CxUsedOnce() const { return hn::LoadU(d, cx); }
+  HWY_INLINE Vec<D> CyUsedOnce() const { return hn::LoadU(d, cy); }
 };
 
 // A value that the set-up keeps for the points. One lane is kept as a number
@@ -311,16 +318,11 @@ HWY_INLINE M AndLt(M mask, V a, V b) {
 }
 #endif
 
-// IsValidArea in the lanes of `mask`.
+// `v`, or NaN where `a` is not finite: in the units that multiply, which where
+// masks are vectors have less to do than those that compare.
 template <class D>
-HWY_INLINE Mask<D> AndValidArea(D d, Mask<D> mask, Vec<D> area) {
-  if constexpr (kHasFiniteBelowZero<D>) {
-    return AndFiniteBelowZero(mask, hn::Or(area, Set(d, TFromD<D>{-0.0})));
-  } else {
-    const auto size = Abs(area);
-    const auto infinity = Set(d, std::numeric_limits<TFromD<D>>::infinity());
-    return AndLt(AndLt(mask, Zero(d), size), size, infinity);
-  }
+HWY_INLINE Vec<D> NaNUnlessFinite(D d, Vec<D> v, Vec<D> a) {
+  return MulAdd(a, Zero(d), v);
 }
 
 // min(a, b) as x86 has it: b where either is NaN. Spelt out where Highway's Min

@@ -84,14 +84,21 @@ HWY_INLINE void WriteBits(D d, std::size_t n, std::uint8_t* bits,
   constexpr std::size_t kSteps =
       HWY_MAX(std::size_t{1}, HWY_MIN(kVectors, kVectors * kMaxLanes<D> / 8));
   std::size_t i = 0;
-  for (; i + kSteps * step <= n; i += kSteps * step) {
-    std::uint8_t* const to = bits + i / 8;  // one division for all steps
+  // Counted apart from i: to divide it takes longer.
+  std::uint8_t* to = bits;
+  for (std::size_t left = n / (kSteps * step); left != 0; --left) {
 #pragma GCC unroll 4
     for (std::size_t k = 0; k < kSteps; ++k) {
       WriteStep(d, i + k * step, to + k * (step / 8), mask_at);
     }
+    i += kSteps * step;
+    to += kSteps * (step / 8);
   }
-  for (; i + step <= n; i += step) WriteStep(d, i, bits + i / 8, mask_at);
+  if constexpr (kSteps > 1) {
+    for (; i + step <= n; i += step, to += step / 8) {
+      WriteStep(d, i, to, mask_at);
+    }
+  }
   if (i == n) return;
   std::uint64_t word = 0;
   const std::size_t first = i;
@@ -99,7 +106,7 @@ HWY_INLINE void WriteBits(D d, std::size_t n, std::uint8_t* bits,
     word |= MaskBits(d, mask_at(i)) << (i - first);
   }
   if (i < n) word |= MaskBits(d, tail_at(i, n - i)) << (i - first);
-  std::memcpy(bits + first / 8, &word, BitBytes(n - first));
+  std::memcpy(to, &word, BitBytes(n - first));
 }
 
 // The last `count` elements of an array that ends with them, as a whole

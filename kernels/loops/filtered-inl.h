@@ -22,7 +22,7 @@ using hn::AndOfThree;
 template <class V>
 HWY_INLINE V AndOfThree(V a, V b, V c) {
   constexpr int kAnd = 0x80;
-  const hn::RebindToSigned<hn::DFromV<V> > di;
+  const hn::RebindToSigned<hn::DFromV<V>> di;
   const auto bits =
       _mm512_ternarylogic_epi64(hn::BitCast(di, a).raw, hn::BitCast(di, b).raw,
                                 hn::BitCast(di, c).raw, kAnd);
@@ -68,7 +68,7 @@ HWY_INLINE bool AllDecided(D d, Vec<D> of_all, TFromD<D> inside_above) {
 // over.
 template <class D>
 HWY_INLINE Vec<D> OfNoMargin(D d) {
-  using Limits = std::numeric_limits<TFromD<D> >;
+  using Limits = std::numeric_limits<TFromD<D>>;
   return Set(d, kScaled ? Limits::infinity() : Limits::max());
 }
 template <class V>

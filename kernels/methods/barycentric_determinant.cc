@@ -39,17 +39,22 @@ template <class D, Boundary kBoundary, bool kFma>
 class BarycentricDeterminant {
  public:
   HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t)
-      : BarycentricDeterminant(d, t, DoubleArea(t)) {}
+      : BarycentricDeterminant(d, t.Ax(), t.Ay(), FromA(t.BxUsedOnce(), t.Ax()),
+                               FromA(t.ByUsedOnce(), t.Ay()),
+                               FromA(t.CxUsedOnce(), t.Ax()),
+                               FromA(t.CyUsedOnce(), t.Ay())) {}
 
   template <class E>
   HWY_INLINE Mask<E> Inside(E e, Vec<E> x, Vec<E> y) const {
     const auto u = U(e, x, y);
     const auto v = V(e, x, y);
-    const auto zero = Zero(e);
     const auto sum = Add(u, v);
-    const auto in = AndIfValid(e, Ge(MinOrSecond(u, v), zero));
-    return kBoundary == Boundary::kClosed ? AndLe(in, sum, size_.In(e))
-                                          : AndLt(in, sum, size_.In(e));
+    const auto in = Ge(MinOrSecond(u, v), Zero(e));
+    if constexpr (kOne) {
+      return AndSumFits(e, in, sum);
+    } else {
+      return AndValidSumFits(e, in, sum);
+    }
   }
 
   template <class E>
@@ -64,23 +69,38 @@ class BarycentricDeterminant {
  private:
   // One triangle for many points has its winding in its vectors, and NaN where
   // it contains nothing. A triangle for one answer is cheaper otherwise: signs
-  // are turned afterwards, and whether it is valid is a mask.
+  // are turned afterwards, and whether it is valid is asked with the answer.
   static constexpr bool kOne = std::is_same_v<D, OneLane<TFromD<D>>>;
 
-  HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> area)
-      : BarycentricDeterminant(d, t, area, Abs(Area(t, area))) {}
+  HWY_INLINE BarycentricDeterminant(D d, Vec<D> ax, Vec<D> ay, Vec<D> bx,
+                                    Vec<D> by, Vec<D> cx, Vec<D> cy)
+      : BarycentricDeterminant(d, ax, ay, bx, by, cx, cy,
+                               DifferenceOfProducts<false>(bx, cy, by, cx),
+                               DifferenceOfProducts<kFma>(bx, cy, by, cx)) {}
 
-  HWY_INLINE BarycentricDeterminant(D d, const Triangles<D>& t, Vec<D> area,
-                                    Vec<D> size)
-      : ax_(d, t.Ax()),
-        ay_(d, t.Ay()),
-        bx_(d, Turned(d, Sub(t.Bx(), t.Ax()), area)),
-        by_(d, Turned(d, Sub(t.By(), t.Ay()), area)),
-        cx_(d, Turned(d, Sub(t.Cx(), t.Ax()), area)),
-        cy_(d, Turned(d, Sub(t.Cy(), t.Ay()), area)),
-        size_(d, size),
-        inverse_size_(d, ValidOrNaN(d, area, Div(Set(d, TFromD<D>{1}), size))),
+  // `area` tells whether the triangle is degenerate, `contracted` is what the
+  // method compares with.
+  HWY_INLINE BarycentricDeterminant(D d, Vec<D> ax, Vec<D> ay, Vec<D> bx,
+                                    Vec<D> by, Vec<D> cx, Vec<D> cy,
+                                    Vec<D> area, Vec<D> contracted)
+      : ax_(d, ax),
+        ay_(d, ay),
+        bx_(d, Turned(d, bx, area)),
+        by_(d, Turned(d, by, area)),
+        cx_(d, Turned(d, cx, area)),
+        cy_(d, Turned(d, cy, area)),
+        size_(d, Abs(contracted)),
+        inverse_size_(
+            d, ValidOrNaN(d, area, Div(Set(d, TFromD<D>{1}), Abs(contracted)))),
         area_(d, area) {}
+
+  // `v` as seen from A. All six differences of a triangle for one answer are
+  // negated, which no product of two of them shows: so what is subtracted may
+  // be an operand in memory.
+  template <class V>
+  static HWY_INLINE V FromA(V v, V a) {
+    return kOne ? Sub(v, a) : Sub(a, v);
+  }
 
   static HWY_INLINE Vec<D> Turned(D d, Vec<D> v, Vec<D> area) {
     if constexpr (kOne) {
@@ -100,40 +120,42 @@ class BarycentricDeterminant {
       return hn::Xor(v, And(area_.In(e), Set(e, TFromD<E>{-0.0})));
     }
   }
+
   template <class E>
-  HWY_INLINE Mask<E> AndIfValid(E e, Mask<E> mask) const {
-    if constexpr (kOne) {
-      (void)e;
-      return mask;
-    } else {
-      return AndValidArea(e, mask, area_.In(e));
-    }
+  HWY_INLINE Mask<E> AndSumFits(E e, Mask<E> in, Vec<E> sum) const {
+    return kBoundary == Boundary::kClosed ? AndLe(in, sum, size_.In(e))
+                                          : AndLt(in, sum, size_.In(e));
   }
 
-  // As the method compares with it: contracted, unlike `area`, which tells
-  // whether the triangle is degenerate.
-  static HWY_INLINE Vec<D> Area(const Triangles<D>& t, Vec<D> area) {
-    if constexpr (kFma) {
-      return MulSub(Sub(t.Bx(), t.Ax()), Sub(t.Cy(), t.Ay()),
-                    Mul(Sub(t.By(), t.Ay()), Sub(t.Cx(), t.Ax())));
+  // The same, and the triangle is valid; in the lanes `in` no u or v is
+  // negative.
+  template <class E>
+  HWY_INLINE Mask<E> AndValidSumFits(E e, Mask<E> in, Vec<E> sum) const {
+    const auto area = area_.In(e);
+    if constexpr (kHasFiniteBelowZero<E>) {
+      const auto below_zero = hn::Or(area, Set(e, TFromD<E>{-0.0}));
+      return AndSumFits(e, AndFiniteBelowZero(in, below_zero), sum);
     } else {
-      (void)t;
-      return area;
+      // Half-open the area is not 0 if the sum, which is not below 0, is less.
+      if constexpr (kBoundary == Boundary::kClosed || kFma) {
+        in = And(in, hn::Ne(area, Zero(e)));
+      }
+      return AndSumFits(e, in, NaNUnlessFinite(e, sum, area));
     }
   }
 
   template <class E>
   HWY_INLINE Vec<E> U(E e, Vec<E> x, Vec<E> y) const {
     return TurnedLater(
-        e, DifferenceOfProducts<kFma>(Sub(x, ax_.In(e)), cy_.In(e),
-                                      Sub(y, ay_.In(e)), cx_.In(e)));
+        e, DifferenceOfProducts<kFma>(FromA(x, ax_.In(e)), cy_.In(e),
+                                      FromA(y, ay_.In(e)), cx_.In(e)));
   }
 
   template <class E>
   HWY_INLINE Vec<E> V(E e, Vec<E> x, Vec<E> y) const {
     return TurnedLater(
-        e, DifferenceOfProducts<kFma>(bx_.In(e), Sub(y, ay_.In(e)), by_.In(e),
-                                      Sub(x, ax_.In(e))));
+        e, DifferenceOfProducts<kFma>(bx_.In(e), FromA(y, ay_.In(e)), by_.In(e),
+                                      FromA(x, ax_.In(e))));
   }
 
   Held<D> ax_, ay_;

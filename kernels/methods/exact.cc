@@ -6,12 +6,12 @@
 //   between, the signs of three determinants, exactly
 //
 // Set-up: three lines and the bound t. Per point: 3 MulAdd and 2 that without
-// FMA are subtractions, 1 Max, 1 Min, 1 compare, and half an operation that
-// asks whether all of a block are decided. The three in 10^6 or so uniform f32
-// points that are not cost 3 determinants in double precision, and, where these
-// cannot tell either, in integers of as many bits as the exponents need. Where
-// a line would be too steep for a small t, lines over y or edge functions take
-// the place of lines over x.
+// FMA are subtractions, 1 Max, 1 Min, 1 compare, and one operation (of AVX-512
+// half of one) that asks whether all of a block are decided. The three in 10^6
+// or so uniform f32 points that are not cost 3 determinants in double
+// precision, and, where these cannot tell either, in integers of as many bits
+// as the exponents need. Where a line would be too steep for a small t, lines
+// over y or edge functions take the place of lines over x.
 // Boundary: closed (exact), open (exact_open) or top-left (exact_top_left):
 // with that every point of a mesh is in exactly one triangle. Winding: any.
 // Degenerate: contains nothing. Fails: never. Slowest where all points are
