@@ -18,6 +18,12 @@ struct Vertices {
   Held<D> ax, ay, bx, by, cx, cy;
 };
 
+template <class D>
+HWY_INLINE Vertices<D> AsTheyAre(D d, const Triangles<D>& t) {
+  return {Held<D>(d, t.Ax()), Held<D>(d, t.Ay()), Held<D>(d, t.Bx()),
+          Held<D>(d, t.By()), Held<D>(d, t.Cx()), Held<D>(d, t.Cy())};
+}
+
 // The vertices in their order; A is NaN where the triangle contains nothing.
 template <class D>
 HWY_INLINE Vertices<D> ValidVertices(D d, const Triangles<D>& t) {

@@ -42,7 +42,7 @@ template <class D, bool kFma, Boundary kBoundary>
 class CrossProductCentered {
  public:
   HWY_INLINE CrossProductCentered(D d, const Triangles<D>& t)
-      : CrossProductCentered(d, CounterClockwise(d, t, DoubleArea(t))) {}
+      : CrossProductCentered(d, t, DoubleArea(t)) {}
 
   // An infinite coordinate of P makes one of the three NaN, or two of them
   // infinite with opposite signs: outside, as it has to be.
@@ -52,7 +52,13 @@ class CrossProductCentered {
     auto on_ca = x;
     auto on_ab = x;
     CrossFromPoint<kFma>(vertices_, e, x, y, on_bc, on_ca, on_ab);
-    if constexpr (kBoundary == Boundary::kClosed) {
+    if constexpr (kTurnsLater) {
+      const auto area = area_.In(e);
+      const auto sign = And(area, Set(e, TFromD<E>{-0.0}));
+      return AllNonNegativeOfValid(e, hn::Xor(on_bc, sign),
+                                   hn::Xor(on_ca, sign), hn::Xor(on_ab, sign),
+                                   area);
+    } else if constexpr (kBoundary == Boundary::kClosed) {
       return AllNonNegative(e, on_bc, on_ca, on_ab);
     } else {
       return AllAtLeast(on_bc, least_bc_.In(e), on_ca, least_ca_.In(e), on_ab,
@@ -61,8 +67,20 @@ class CrossProductCentered {
   }
 
  private:
-  HWY_INLINE CrossProductCentered(D d, const Vertices<D>& v)
+  // Triangles for one answer each are not turned: the signs of the three are,
+  // and whether the triangle is valid is asked with the answer. Contracted, it
+  // is not the same which of two products is rounded.
+  static constexpr bool kTurnsLater = !std::is_same_v<D, OneLane<TFromD<D>>> &&
+                                      !kFma && kBoundary == Boundary::kClosed;
+
+  HWY_INLINE CrossProductCentered(D d, const Triangles<D>& t, Vec<D> area)
+      : CrossProductCentered(
+            d, kTurnsLater ? AsTheyAre(d, t) : CounterClockwise(d, t, area),
+            area) {}
+
+  HWY_INLINE CrossProductCentered(D d, const Vertices<D>& v, Vec<D> area)
       : vertices_(v),
+        area_(d, area),
         least_bc_(Of(d, v.bx, v.by, v.cx, v.cy)),
         least_ca_(Of(d, v.cx, v.cy, v.ax, v.ay)),
         least_ab_(Of(d, v.ax, v.ay, v.bx, v.by)) {}
@@ -74,7 +92,20 @@ class CrossProductCentered {
     return {d, Sub(to_x.In(d), from_x.In(d)), Sub(to_y.In(d), from_y.In(d))};
   }
 
+  template <class E>
+  static HWY_INLINE Mask<E> AllNonNegativeOfValid(E e, Vec<E> u, Vec<E> v,
+                                                  Vec<E> w, Vec<E> area) {
+    if constexpr (kHasFiniteBelowZero<E>) {
+      return AndFiniteBelowZero(AllNonNegative(e, u, v, w),
+                                hn::Or(area, Set(e, TFromD<E>{-0.0})));
+    } else {
+      return And(AllNonNegative(e, u, v, NaNUnlessFinite(e, w, area)),
+                 hn::Ne(area, Zero(e)));
+    }
+  }
+
   Vertices<D> vertices_;
+  Held<D> area_;
   [[no_unique_address]] Least<D, kBoundary> least_bc_;
   [[no_unique_address]] Least<D, kBoundary> least_ca_;
   [[no_unique_address]] Least<D, kBoundary> least_ab_;
