@@ -129,6 +129,8 @@ struct Triangles {
 
   // For a method that uses them once: what is an operand in memory needs no
   // instruction that loads it.
+  HWY_INLINE Vec<D> AxUsedOnce() const { return hn::LoadU(d, ax); }
+  HWY_INLINE Vec<D> AyUsedOnce() const { return hn::LoadU(d, ay); }
   HWY_INLINE Vec<D> BxUsedOnce() const { return hn::LoadU(d, bx); }
   HWY_INLINE Vec<D> ByUsedOnce() const { return hn::LoadU(d, by); }
   HWY_INLINE Vec<D> CxUsedOnce() const { return hn::LoadU(d, cx); }

@@ -373,44 +373,48 @@ struct SlopeFilter {
   Number<T> scale_;
 };
 
-// The margin of points that each have a triangle of their own: +2, −2 or an
-// undecided +0, whether shifted, scaled or neither. Each determinant (v − p) ×
-// (w − p) has a bound of its own, 4u·(|l| + |r|) and the smallest normal number
-// (see exact/contains.cc). Inside where all three are certainly of one sign;
-// outside where two certainly differ.
+// The margin of points that each have a triangle of their own: above 0 inside,
+// below 0 outside, an undecided +0; where margins are scaled, +2 and −2. Each
+// determinant (v − p) × (w − p) is wrong by less than 4u·(|l| + |r|) and the
+// smallest normal number (see exact/contains.cc); the three have one bound, in
+// which their magnitudes are added, since of a maximum NaN might get lost. Let
+// m be the larger of their least and minus their greatest. Where all have one
+// sign, m is the least magnitude: inside if the bound is less. Where they have
+// not, −m is the smaller magnitude of two that differ: outside if that is more.
 template <class D>
 HWY_INLINE Vec<D> DeterminantMargin(D d, const Triangles<D>& t, Vec<D> x,
                                     Vec<D> y) {
   using T = TFromD<D>;
-  const auto ax = Sub(t.Ax(), x);
-  const auto ay = Sub(t.Ay(), y);
-  const auto bx = Sub(t.Bx(), x);
-  const auto by = Sub(t.By(), y);
-  const auto cx = Sub(t.Cx(), x);
-  const auto cy = Sub(t.Cy(), y);
-  const auto zero = Zero(d);
-  const auto four_u = Set(d, 2 * std::numeric_limits<T>::epsilon());
-  const auto least_normal = Set(d, std::numeric_limits<T>::min());
-  const auto certain = [&](Vec<D> vx, Vec<D> vy, Vec<D> wx,
-                           Vec<D> wy) HWY_ATTR {
+  // Seen from the vertices, which negates both factors of every product: so
+  // the vertices may be operands in memory.
+  const auto ax = Sub(x, t.AxUsedOnce());
+  const auto ay = Sub(y, t.AyUsedOnce());
+  const auto bx = Sub(x, t.BxUsedOnce());
+  const auto by = Sub(y, t.ByUsedOnce());
+  const auto cx = Sub(x, t.CxUsedOnce());
+  const auto cy = Sub(y, t.CyUsedOnce());
+  auto of_ab = x;
+  auto of_bc = x;
+  auto of_ca = x;
+  const auto determinant = [](Vec<D> vx, Vec<D> vy, Vec<D> wx, Vec<D> wy,
+                              Vec<D>& magnitudes) HWY_ATTR {
     const auto left = Mul(vx, wy);
     const auto right = Mul(vy, wx);
-    const auto det = Sub(left, right);
-    const auto bound =
-        Add(Mul(four_u, Add(Abs(left), Abs(right))), least_normal);
-    return hn::IfThenElseZero(Gt(Abs(det), bound), det);
+    magnitudes = Add(Abs(left), Abs(right));
+    return Sub(left, right);
   };
-  const auto ab = certain(ax, ay, bx, by);
-  const auto bc = certain(bx, by, cx, cy);
-  const auto ca = certain(cx, cy, ax, ay);
+  const auto ab = determinant(ax, ay, bx, by, of_ab);
+  const auto bc = determinant(bx, by, cx, cy, of_bc);
+  const auto ca = determinant(cx, cy, ax, ay, of_ca);
+  const auto magnitudes = Add(Add(of_ab, of_bc), of_ca);
+  const auto bound = MulAdd(Set(d, 2 * std::numeric_limits<T>::epsilon()),
+                            magnitudes, Set(d, std::numeric_limits<T>::min()));
   const auto least = hn::Min(hn::Min(ab, bc), ca);
   const auto most = hn::Max(hn::Max(ab, bc), ca);
-  const auto two = Set(d, T{2});
-  const auto outside = And(Lt(least, zero), Gt(most, zero));
-  const auto inside = Or(Gt(least, zero), Lt(most, zero));
-  // By masks alone: SSE4 blends in two instructions what it masks in one.
-  return Or(hn::IfThenElseZero(inside, two),
-            hn::IfThenElseZero(outside, Sub(zero, two)));
+  const auto margin = hn::Max(least, hn::Neg(most));
+  const auto decided = Gt(Abs(margin), bound);
+  return hn::IfThenElseZero(
+      decided, kScaled ? hn::CopySignToAbs(Set(d, T{2}), margin) : margin);
 }
 
 }  // namespace PITBENCH_ISA
