@@ -97,8 +97,8 @@ TEST(SpeedTest, OneKernelOfALoopIsRegisteredTwice) {
       EXPECT_EQ(rows.size(), std::size_t{kRepetitions});
     }
   }
-  const bool some = RunsHere(Isa::kSse4) || RunsHere(Isa::kAvx2) ||
-                    RunsHere(Isa::kNeon);
+  const bool some =
+      RunsHere(Isa::kSse4) || RunsHere(Isa::kAvx2) || RunsHere(Isa::kNeon);
   EXPECT_EQ(twins, some ? 1u : 0u);
 }
 
