@@ -78,9 +78,12 @@ def load_run(folder: Path) -> Run:
     )
     of_rays = rays.run(ray_speed, ray_refused, shards, declared)
     of_points = tuple(shard for shard in shards if shard not in of_rays.shards)
-    if not speed or not accuracy:
-        kind = "speed" if not speed else "accuracy"
-        raise LoadError(f"{folder}: the {kind}-*.json hold no result")
+    for rows, files in ((speed, speed_files), (accuracy, accuracy_files)):
+        if not rows:
+            names = ", ".join(path.name for path in files)
+            raise LoadError(
+                f"{folder}: no result of the points in {names}; run the sweep again"
+            )
     methods, scenes, writes = catalogue(declared_in)
     judged, worst = accuracy.frames()
     maps = folder / "maps.json"

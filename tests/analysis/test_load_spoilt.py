@@ -48,7 +48,7 @@ PLACES = {name: places(document) for name, document in FILES.items()}
 
 
 @settings(
-    max_examples=150,
+    max_examples=max(150, settings().max_examples),
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
@@ -75,7 +75,7 @@ def test_a_mutated_file_is_loaded_or_refused_but_never_a_crash(
 
 
 @settings(
-    max_examples=60,
+    max_examples=max(60, settings().max_examples),
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
