@@ -32,7 +32,7 @@ EXAMPLES = """examples:
   python3 -m analysis readme results/quick
   python3 -m analysis choose --scalar f32 --coordinates 0 1 --altitude 0.01
   python3 -m analysis machines add results/full --anonymous
-  python3 -m analysis compare amd-epyc-full-1a2b3c4d results/full
+  python3 -m analysis compare amd-epyc-zen-4-full-1a2b3c4d results/full
 """
 
 

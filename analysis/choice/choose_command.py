@@ -137,7 +137,7 @@ def run(options: argparse.Namespace) -> int:
         print(json.dumps(answer, indent=2, ensure_ascii=False))
     else:
         print("\n".join(lines(choice)))
-        print(f"  run        {found.name} on {found.machine.model}")
+        print(f"  run        {found.name} on {found.machine.name}")
     return 0
 
 

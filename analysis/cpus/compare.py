@@ -206,7 +206,7 @@ def compared_cells(a: Run, b: Run, level: float, same: bool) -> pd.DataFrame:
     of_a, of_b = samples(a.speed), samples(b.speed)
     strayed = [strays(a), strays(b)]
     clocks = [{shard.name: shard.clock_ghz for shard in run.shards} for run in (a, b)]
-    one_model = a.machine.model == b.machine.model
+    one_model = a.machine.same_cpu(b.machine)
     moved = {} if same else placement_limits([a.speed, b.speed])
     usual = float(np.median(list(moved.values()))) if moved else 0.0
     rows = []

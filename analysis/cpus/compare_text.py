@@ -5,7 +5,7 @@ from __future__ import annotations
 import pandas as pd
 
 from analysis.cpus.compare import Comparison, clock_ratio, compiled_alike, summary
-from analysis.cpus.run_labels import code_state, default_label
+from analysis.cpus.run_labels import code_state, label_of
 from analysis.read.run import Run
 from analysis.report.wording import (
     between,
@@ -46,7 +46,7 @@ def _run_lines(letter: str, run: Run, noise: str) -> list[str]:
     clocks = [shard.clock_ghz for shard in run.shards]
     state = code_state(run)
     return [
-        f"{letter}: {run.name}: {run.label or default_label(run)}",
+        f"{letter}: {run.name}: {label_of(run)}",
         f"   {run.machine.compiler}, revision {run.machine.revision[:12]}"
         f"{' (dirty)' if run.machine.dirty else ''}, kernels {state}, profile "
         f"{run.profile}, {min(clocks):.2f} to {max(clocks):.2f} GHz, noise: {noise}",
@@ -68,7 +68,7 @@ def _caveats(found: Comparison) -> list[str]:
             f"{a.isa_up_to or 'not in A'}, {b.isa_up_to or 'not in B'}."
         )
     clock = clock_ratio(a, b)
-    if a.machine.model == b.machine.model and abs(clock - 1) > 0.03:
+    if a.machine.same_cpu(b.machine) and abs(clock - 1) > 0.03:
         said.append(f"! The clock of B was {times(clock)} that of A.")
     return [*said, ""] if said else []
 

@@ -17,7 +17,7 @@ import pandas as pd
 from analysis.accuracy.accuracy_tables import isa_agreement
 from analysis.charts.palette import is_autovec, isa_rank, method_rank
 from analysis.cpus.compare import compared_accuracy
-from analysis.cpus.run_labels import code_state, default_label, widest
+from analysis.cpus.run_labels import code_state, label_of, widest
 from analysis.cpus.stored_run import fingerprint
 from analysis.models.modelled import LOOP
 from analysis.peers.peers_tables import part
@@ -96,7 +96,7 @@ def cpus(run: Run, stored: Sequence[Run], scalar: str) -> list[Cpu]:
 
 def _labels(runs: Sequence[Run]) -> list[str]:
     """The label of each, with its folder's name where two are the same."""
-    labels = [run.label or default_label(run) for run in runs]
+    labels = [label_of(run) for run in runs]
     return [
         label if labels.count(label) == 1 else f"{label} ({run.name})"
         for label, run in zip(labels, runs)
@@ -216,7 +216,7 @@ def overview(found: Sequence[Cpu]) -> pd.DataFrame:
         rows.append(
             {
                 "run": cpu.name,
-                "model": cpu.run.machine.model,
+                "model": cpu.run.machine.name,
                 "isas": widest(cpu.run),
                 "clock_ghz": float(np.median(clocks)),
                 "profile": cpu.run.profile,

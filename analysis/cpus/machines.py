@@ -14,7 +14,6 @@ import socket
 from pathlib import Path
 from typing import Any, Final
 
-from analysis.cpus.run_labels import default_label
 from analysis.cpus.stored_run import (
     COPIED,
     MEASURED,
@@ -61,7 +60,6 @@ def add(folder: Path, runs: Path, wanted: Wanted = Wanted()) -> Path:
         raise Unfit(f"{folder} is a stored run already; give the results/NAME of one")
     run = load_run(folder)
     troubles = unfit(folder, run, wanted.noisy)
-    label = wanted.label.strip() or default_label(run)
     name = wanted.name or default_name(run)
     if not _NAME.match(name):
         troubles.append(
@@ -77,7 +75,7 @@ def add(folder: Path, runs: Path, wanted: Wanted = Wanted()) -> Path:
     }
     if wanted.anonymous:
         copies["machine.json"] = anonymous(copies["machine.json"])
-    document = measured(with_models(run), label, wanted.anonymous)
+    document = measured(with_models(run), wanted.label.strip(), wanted.anonymous)
     names = _names_here() if wanted.anonymous else []
     told = {**copies, MEASURED: document}
     for file, content in told.items():
@@ -198,7 +196,7 @@ def _names_here() -> list[str]:
 
 
 def default_name(run: Run) -> str:
-    words = re.sub(r"[^a-z0-9]+", "-", run.machine.model.lower()).strip("-")
+    words = re.sub(r"[^a-z0-9]+", "-", run.machine.name.lower()).strip("-")
     parts = [words[:48].strip("-"), run.profile, run.machine.revision[:8]]
     return "-".join(parts + [run.isa_up_to] * bool(run.isa_up_to))
 

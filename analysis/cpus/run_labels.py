@@ -15,9 +15,12 @@ from analysis.trust import noise
 ROOT: Final = Path(__file__).resolve().parents[2]
 
 
-def default_label(run: Run) -> str:
+def label_of(run: Run) -> str:
+    """What it was given, or what it is of."""
+    if run.label:
+        return run.label
     limit = f", ISAs up to {run.isa_up_to}" if run.isa_up_to else ""
-    return run.machine.model + limit
+    return run.machine.name + limit
 
 
 def code_state(run: Run, code: str | None = None) -> str:
@@ -39,8 +42,8 @@ def table(runs: list[Run]) -> pd.DataFrame:
         rows.append(
             {
                 "run": run.name,
-                "label": run.label or default_label(run),
-                "model": run.machine.model,
+                "label": label_of(run),
+                "model": run.machine.name,
                 "isas": widest(run),
                 "profile": run.profile,
                 "revision": run.machine.revision[:12],

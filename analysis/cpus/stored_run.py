@@ -13,6 +13,7 @@ maps; and the instructions themselves.
 
 from __future__ import annotations
 
+import dataclasses
 import gzip
 import json
 import math
@@ -23,7 +24,7 @@ import numpy as np
 import pandas as pd
 
 from analysis.models.arm_models import ARM_COLUMNS
-from analysis.models.llvm_mca import MODELLED_COLUMNS
+from analysis.models.llvm_mca import DESIGNS, MODELLED_COLUMNS
 from analysis.read import fields, load
 from analysis.read.load_limits import load_limits
 from analysis.read.load_operations import load_operations, no_operations
@@ -34,6 +35,7 @@ from analysis.read.run import (
     REFUSED_COLUMNS,
     SPEED_COLUMNS,
     WORST_COLUMNS,
+    Machine,
     Run,
     Shard,
 )
@@ -171,7 +173,7 @@ def load_stored(folder: Path) -> Run:
     return Run(
         name=folder.resolve().name,
         profile=same_run.profile,
-        machine=load.machine_of(machine_json),
+        machine=_machine(machine_json, document["nearest_model"]),
         shards=shards,
         speed=_speed_frame(path, document, shards),
         refused=_refused_frame(path, document, shards),
@@ -192,6 +194,14 @@ def load_stored(folder: Path) -> Run:
         isa_up_to=load.isa_limit(folder),
         label=document["label"],
     )
+
+
+def _machine(document: dict[str, Any], nearest_model: str | None) -> Machine:
+    """Older files do not tell of which design the CPU is, but their model does."""
+    machine = load.machine_of(document)
+    if machine.design or nearest_model is None:
+        return machine
+    return dataclasses.replace(machine, design=DESIGNS[nearest_model])
 
 
 def fingerprint(run: Run) -> frozenset[tuple[str, int, float]]:

@@ -11,7 +11,6 @@ import json
 import shutil
 import subprocess
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Final
 
 import pandas as pd
@@ -25,6 +24,15 @@ MODELS: Final = {
     "znver3": "avx2",
     "znver4": "avx512",
     "znver5": "avx512",
+}
+# LLVM's name → the design (analysis/read/microarchitecture.py) that it describes.
+DESIGNS: Final = {
+    "skylake-avx512": "Skylake server",
+    "icelake-server": "Ice Lake server",
+    "sapphirerapids": "Sapphire Rapids",
+    "znver3": "Zen 3",
+    "znver4": "Zen 4",
+    "znver5": "Zen 5",
 }
 MODELLED_COLUMNS: Final = ["method", "scalar", "loop", "isa", "model", "cycles"]
 _VERSION = "19"
@@ -91,26 +99,9 @@ def cycles_on(
     ]
 
 
-def host_model(cpu: str) -> str | None:
-    """The model of the CPU that this runs on, provided that it is the one called
-    `cpu`; None if there is none. Raises NotModelled without llvm-mca.
-    """
-    lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
-    if not any(
-        line.startswith("model name") and line.partition(":")[2].strip() == cpu
-        for line in lines
-    ):
-        return None
-    return parse_host(_run(["llvm-mca", "--version"], ""))
-
-
-def parse_host(version: str) -> str | None:
-    """The model that LLVM says it runs on."""
-    for line in version.splitlines():
-        key, _, value = line.partition(":")
-        if key.strip() == "Host CPU" and value.strip() in MODELS:
-            return value.strip()
-    return None
+def model_of(design: str) -> str | None:
+    """The model of the CPUs of a design, if there is one."""
+    return next((name for name, own in DESIGNS.items() if own == design), None)
 
 
 def assembly(

@@ -21,6 +21,7 @@ from analysis.read.load_maps import load_maps
 from analysis.read.load_operations import load_operations, no_operations
 from analysis.read.load_rays import RayRows, parted, ray_methods
 from analysis.read.maps import Maps
+from analysis.read.microarchitecture import design, identity_words
 from analysis.read.read_json import LoadError, read_json
 from analysis.read.run import (
     REFUSED_COLUMNS,
@@ -229,6 +230,8 @@ def machine_of(document: dict[str, Any]) -> Machine:
         seed=int(document["seed"]),
         memory_bytes=int(document["memory_bytes"]),
         kernel_hash=document.get("kernel_hash", ""),
+        identity=identity_words(cpu.get("identity")),
+        design=design(cpu.get("identity")),
     )
 
 

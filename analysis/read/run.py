@@ -105,6 +105,23 @@ class Machine:
     seed: int
     memory_bytes: int
     kernel_hash: str = ""  # analysis/read/kernel_hash.py; older files have none
+    identity: str = ""  # the numbers that the CPU calls itself by; older have none
+    design: str = ""  # by them (analysis/read/microarchitecture.py), if known
+
+    @property
+    def name(self) -> str:
+        """The CPU's name, and its design where the name does not tell."""
+        told = not self.design or self.design.lower() in self.model.lower()
+        return self.model if told else f"{self.model}, {self.design}"
+
+    def same_cpu(self, other: Machine) -> bool:
+        """Whether both are CPUs of one model, as far as their files tell."""
+        designs = {self.design, other.design} - {""}
+        return (
+            self.model == other.model
+            and len(designs) <= 1
+            and self.caches == other.caches
+        )
 
 
 @dataclasses.dataclass(frozen=True)
@@ -226,7 +243,7 @@ class Run:
     writes: tuple[tuple[str, str], ...] = ()  # (loop, what its kernels write)
     rays: RayRun = dataclasses.field(default_factory=no_rays)
     isa_up_to: str = ""  # the widest ISA of the rows, where the sweep had a limit
-    label: str = ""  # how a stored run calls itself
+    label: str = ""  # what a stored run was called, if it was given a name
 
     @property
     def every_shard(self) -> tuple[Shard, ...]:

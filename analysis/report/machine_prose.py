@@ -19,7 +19,8 @@ def machine_rows(machine: Machine) -> list[tuple[str, str]]:
         ]
     )
     return [
-        ("CPU", machine.model),
+        ("CPU", machine.name),
+        ("It identifies itself as", machine.identity or "not told"),
         ("Microcode", machine.microcode or "not told"),
         ("Cores and threads", f"{machine.cores} and {machine.threads}"),
         ("Simultaneous multithreading", yes[machine.smt]),

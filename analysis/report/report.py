@@ -197,7 +197,7 @@ def short_revision(run: Run) -> str:
 def footer_of(run: Run, judged: noise.Verdict) -> str:
     return "  ·  ".join(
         [
-            run.machine.model,
+            run.machine.name,
             run.machine.compiler,
             f"revision {short_revision(run)}",
             f"profile {run.profile}"

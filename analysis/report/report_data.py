@@ -9,7 +9,7 @@ import json
 from collections.abc import Mapping
 from pathlib import Path
 
-from analysis.cpus.run_labels import default_label
+from analysis.cpus.run_labels import label_of
 from analysis.cpus.stored_run import COPIED, MEASURED, is_stored, measured, packed
 from analysis.read.run import Run
 
@@ -51,7 +51,5 @@ def kept(run: Run, source: Path) -> dict[str, bytes]:
             if kept_as.endswith(".gz"):
                 content = packed(json.loads(content))
             files[f"data/{kept_as}"] = content
-    files[f"data/{MEASURED}"] = packed(
-        measured(run, run.label or default_label(run), False)
-    )
+    files[f"data/{MEASURED}"] = packed(measured(run, label_of(run), False))
     return files

@@ -52,7 +52,7 @@ def with_models(run: Run) -> Run:
             run,
             modelled=llvm_mca.model(run.instructions, modelled.LOOP),
             modelled_arm=arm_models.model_arm(run.emulated),
-            nearest_model=llvm_mca.host_model(run.machine.model),
+            nearest_model=llvm_mca.model_of(run.machine.design),
         )
     except llvm_mca.NotModelled as reason:
         return dataclasses.replace(run, not_modelled=str(reason))

@@ -6,6 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -48,9 +51,9 @@ std::optional<std::string> CpuInfo(const std::string& key) {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
     const std::size_t colon = line.find(':');
-    if (colon == std::string::npos || line.compare(0, key.size(), key) != 0) {
-      continue;
-    }
+    if (colon == std::string::npos) continue;
+    const std::size_t end = line.find_last_not_of(" \t", colon - 1) + 1;
+    if (line.compare(0, end, key) != 0) continue;
     const std::size_t value = line.find_first_not_of(" \t", colon + 1);
     if (value != std::string::npos) return line.substr(value);
   }
@@ -102,6 +105,32 @@ int Cores() {
   return std::max(1, static_cast<int>(cores.size()));
 }
 
+// The numbers by which the CPU identifies itself: names do not tell CPUs of
+// different designs apart, least of all those of virtual machines.
+json Identity() {
+#if defined(__aarch64__)
+  const auto vendor = CpuInfo("CPU implementer");
+  const std::array keys = {"CPU architecture", "CPU part", "CPU revision"};
+#else
+  const auto vendor = CpuInfo("vendor_id");
+  const std::array keys = {"cpu family", "model", "stepping"};
+#endif
+  std::array<std::int64_t, 3> numbers{};
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const auto text = CpuInfo(keys[k]);
+    if (!vendor || !text) return nullptr;
+    try {
+      numbers[k] = std::stoll(*text, nullptr, 0);
+    } catch (const std::exception&) {
+      return nullptr;  // "unknown"
+    }
+  }
+  return {{"vendor", *vendor},
+          {"family", numbers[0]},
+          {"model", numbers[1]},
+          {"stepping", numbers[2]}};
+}
+
 json Cpu() {
   const std::string flags = CpuInfo("flags").value_or("");
   const bool is_virtual =
@@ -115,6 +144,7 @@ json Cpu() {
   return {
       {"model",
        CpuInfo("model name").value_or(CpuInfo("CPU part").value_or("unknown"))},
+      {"identity", Identity()},
       {"microcode", CpuInfo("microcode").value_or("unknown")},
       {"cores", Cores()},
       {"threads", std::max<long>(1, sysconf(_SC_NPROCESSORS_ONLN))},

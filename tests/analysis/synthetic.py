@@ -65,6 +65,7 @@ class Options:
     judged_isas: tuple[str, ...] | None = None  # by default the first and the last
     chance: int = 0  # other noise of the same run
     model: str = "Synthetic CPU (nothing here was measured)"
+    identity: dict[str, Any] | None = None  # older runs have none
     kernel_hash: str = ""
     revision: str = REVISION
     dirty: bool = False
@@ -138,6 +139,7 @@ def machine(options: Options) -> dict[str, Any]:
         "schema": "pitbench-machine-1",
         "cpu": {
             "model": options.model,
+            **({"identity": options.identity} if options.identity else {}),
             "microcode": "0x0",
             "cores": 2,
             "threads": 2,

@@ -108,6 +108,30 @@ def test_a_clock_that_moved_and_time_that_was_lost_widen_it_too(
     assert found.regressions.empty
 
 
+def test_clocks_widen_it_on_cpus_of_one_design_only(base: Path, tmp_path: Path) -> None:
+    """Virtual machines give CPUs of different designs the same name."""
+    zen = {"vendor": "AuthenticAMD", "family": 25, "model": 1, "stepping": 1}
+    a = run_of(tmp_path / "a", identity=zen)
+    alike = run_of(tmp_path / "b", identity=zen, chance=7)
+    other = run_of(tmp_path / "c", identity={**zen, "model": 17}, chance=7)
+    assert alike.machine.model == other.machine.model
+    assert alike.machine.name != other.machine.name
+    widest = []
+    for run in (load_run(base), alike, other):
+        faster = tuple(
+            dataclasses.replace(
+                shard,
+                clock_before_ghz=1.2 * shard.clock_before_ghz,
+                clock_after_ghz=1.2 * shard.clock_after_ghz,
+            )
+            for shard in run.shards
+        )
+        found = compare(a, dataclasses.replace(run, shards=faster))
+        widest.append(found.cells["within"].max())
+    # Of the first, an older run, the design is not told.
+    assert min(widest[:2]) >= 0.19 and widest[2] < 0.1
+
+
 def test_the_band_is_never_below_what_matters(base: Path, tmp_path: Path) -> None:
     found = against(base, tmp_path / "b", chance=7)
     assert found.cells["within"].min() >= TOLERANCE

@@ -153,13 +153,11 @@ def test_each_instruction_keeps_its_text() -> None:
         llvm_mca.parse_assembly(["4883c010"], printed)
 
 
-def test_the_host_is_named_only_if_it_has_a_model() -> None:
-    assert llvm_mca.parse_host("  Host CPU: znver5\n") == "znver5"
-    assert llvm_mca.parse_host("  Host CPU: x86-64\n") is None
-
-
-def test_the_host_counts_only_for_a_run_on_its_own_cpu() -> None:
-    assert llvm_mca.host_model("no such CPU") is None
+def test_a_run_has_the_model_of_its_own_cpu() -> None:
+    assert llvm_mca.model_of("Zen 5") == "znver5"
+    assert llvm_mca.model_of("Zen 2") is None
+    assert llvm_mca.model_of("") is None
+    assert set(llvm_mca.DESIGNS) == set(llvm_mca.MODELS)
 
 
 @needs_llvm

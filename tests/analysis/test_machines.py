@@ -53,7 +53,7 @@ def test_what_is_kept_says_the_same(run: Path, tmp_path: Path) -> None:
     )
     pd.testing.assert_frame_equal(first, second, check_dtype=False, rtol=1e-9)
     assert (whole.machine, whole.methods) == (kept.machine, kept.methods)
-    assert (kept.label, kept.profile) == (whole.machine.model, "quick")
+    assert (run_labels.label_of(kept), kept.profile) == (whole.machine.model, "quick")
     assert kept.limits is not None and len(kept.operations) == len(whole.operations)
 
 
@@ -183,7 +183,7 @@ def test_a_restricted_run_says_so_in_name_and_label(tmp_path: Path) -> None:
     limited = dataclasses.replace(SMALL, isa_up_to="avx2")
     kept = add(write_run(tmp_path / "run", limited), tmp_path / "runs")
     assert kept.name.endswith("-avx2")
-    assert load_stored(kept).label.endswith(", ISAs up to avx2")
+    assert run_labels.label_of(load_stored(kept)).endswith(", ISAs up to avx2")
 
 
 def test_a_spoilt_stored_run_is_refused_by_field(run: Path, tmp_path: Path) -> None:
