@@ -54,7 +54,9 @@ def add_ray_costs(exhibits: Exhibits, run: Run, scalars: list[str]) -> None:
             counted,
             cost_exhibits.cost_columns(isa, "ray"),
         )
-    near = near_the_limit(bounded(run))
+    near = limit_tables.with_instructions(
+        near_the_limit(bounded(run)), run.instructions, run.every_shard
+    )
     if len(near):
         exhibits.table(
             "ray_of_limit",

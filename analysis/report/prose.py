@@ -104,7 +104,7 @@ def facts(report: Report) -> dict[str, Any]:
         "ladder": report.ladder,
         "peers": peers_facts(report.parted, report.peers),
         **failure_facts(report),
-        "limit": limit_facts(run.limits, report.cells, report.scalar, MAIN_LOOP),
+        "limit": limit_facts(run, report.cells, report.scalar, MAIN_LOOP),
         "verdict_columns": [column.title for column in columns.VERDICTS],
         "verdict_rows": [
             [_with_note(column, row) for column in columns.VERDICTS]

@@ -117,7 +117,7 @@ def build(whole: Run, stored: Sequence[Run] = ()) -> Report:
     failure_exhibits.add_overview(exhibits, overviews)
     failure_exhibits.add_flags(exhibits, flags)
     _add_scaling(exhibits, cells, scalars, footer)
-    limit_exhibits.add_limits(exhibits, run.limits, cells, scalars, footer)
+    limit_exhibits.add_limits(exhibits, run, cells, scalars, footer)
     failure_exhibits.add_errors(exhibits, run, scalars, footer)
     failure_exhibits.add_pictures(exhibits, run, scalars, footer)
     curve = cost_curve(run.speed, cells)

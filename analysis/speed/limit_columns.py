@@ -72,6 +72,11 @@ NEAR: Final = (
     BOUND,
     OF_LIMIT,
     word("level", "set lies in"),
+    number(
+        "instructions_per_cycle",
+        "instructions a cycle",
+        "that the compiled loop executes, of any kind; a dash: it was not traced",
+    ),
     number("memory_ns", "memory, ns", "bytes over the level's bandwidth"),
     number("compute_ns", "compute, ns", "a dash: operations not counted"),
     word("isa", "ISA"),

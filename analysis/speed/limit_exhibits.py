@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pandas as pd
 
-from analysis.read.limits import Limits
 from analysis.read.run import Run
 from analysis.report import columns
 from analysis.report.exhibits import Column, Exhibits
@@ -14,12 +13,13 @@ from analysis.speed.roofline import marks, roofline
 
 def add_limits(
     exhibits: Exhibits,
-    limits: Limits | None,
+    run: Run,
     cells: pd.DataFrame,
     scalars: list[str],
     footer: str,
 ) -> None:
     """`cells`: with bounds (analysis/speed/bounds.py)."""
+    limits = run.limits
     if limits is None:
         return
     for scalar in scalars:
@@ -35,7 +35,9 @@ def add_limits(
                 "reaches of its own bound.",
                 shown,
             )
-    near = limit_tables.at_the_widest(cells)
+    near = limit_tables.with_instructions(
+        limit_tables.at_the_widest(cells), run.instructions, run.shards
+    )
     if len(near):
         exhibits.table(
             "of_limit",

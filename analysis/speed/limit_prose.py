@@ -6,23 +6,26 @@ from typing import Any
 
 import pandas as pd
 
-from analysis.read.limits import Limits
+from analysis.read.run import Run
 from analysis.report.wording import counted, listed, nanoseconds, significant
-from analysis.speed import limit_columns
+from analysis.speed import limit_columns, limit_tables
 from analysis.speed.bounds import ALL, beaten
 from analysis.speed.tables import reference_cells, widest_isa
 from analysis.trust.noise import TOLERANCE
 
 
 def limit_facts(
-    limits: Limits | None, cells: pd.DataFrame, scalar: str, loop: str
+    run: Run, cells: pd.DataFrame, scalar: str, loop: str
 ) -> dict[str, Any] | None:
     """None where the run has no limits."""
+    limits = run.limits
     if limits is None:
         return None
     rows = reference_cells(cells, scalar, loop)
     isa = widest_isa(rows)
-    rows = rows[rows["isa"] == isa]
+    rows = limit_tables.with_instructions(
+        rows[rows["isa"] == isa], run.instructions, run.shards
+    )
     wrong = beaten(cells)
     with_counts = int(cells["compute_ns"].notna().sum())
     rate = {
@@ -59,8 +62,13 @@ def limit_facts(
         "beaten_methods": listed(sorted(set(wrong["method"]))),
         "fastest": _reached(rows, rows["ns"].idxmin()) if len(rows) else None,
         "nearest": _nearest(rows),
+        "at_once": _number(limit_tables.most_at_once(run.shards)),
         "loop": loop,
     }
+
+
+def _number(value: float) -> str:
+    return significant(value) if value == value else ""
 
 
 def _reached(rows: pd.DataFrame, index: Any) -> dict[str, Any]:
@@ -82,6 +90,8 @@ def _reached(rows: pd.DataFrame, index: Any) -> dict[str, Any]:
         "by": by,
         "of_limit": f"{significant(100 * row['of_limit'])} %",
         "beaten": bool(row["beaten"]),
+        "instructions": _number(row["instructions"]),
+        "per_cycle": _number(row["instructions_per_cycle"]),
     }
 
 

@@ -14,6 +14,7 @@ from analysis.read.run import Shard
 from analysis.speed.bounds import beaten
 from analysis.speed.tables import CELL_KEYS, sort_cells, widest_isa
 
+_KERNEL: Final = ("method", "scalar", "loop", "isa")
 SCALARS: Final = ("f32", "f64", "i32", "i16", "u8")
 
 
@@ -80,6 +81,36 @@ def at_the_widest(
         parts.append(own[own["isa"] == widest_isa(own)])
     joined = pd.concat([shown.iloc[:0], *parts])
     return sort_cells(joined, ["loop", "scalar", "scene", "method"])
+
+
+def with_instructions(
+    table: pd.DataFrame, instructions: pd.DataFrame, shards: tuple[Shard, ...]
+) -> pd.DataFrame:
+    """The table of cells with `instructions`, what the compiled loop executes for
+    an item, a call's own ones spread over its items, and `instructions_per_cycle`
+    of the shard's clock; NaN where the loop was not traced or does not repeat.
+    """
+    clocks = {shard.name: shard.clock_ghz for shard in shards}
+    steady = instructions[instructions["items_per_iteration"] > 0]
+    executed = {
+        tuple(row[key] for key in _KERNEL): (row["per_item"], row["per_call"])
+        for row in steady.to_dict("records")
+    }
+    per_item, per_cycle = [], []
+    for cell in table.to_dict("records"):
+        each, once = executed.get(
+            tuple(cell[key] for key in _KERNEL), (math.nan, math.nan)
+        )
+        per_item.append(each + once / cell["items"])
+        cycles = cell["ns"] * clocks.get(cell["shard"], math.nan)
+        per_cycle.append(per_item[-1] / cycles)
+    return table.assign(instructions=per_item, instructions_per_cycle=per_cycle)
+
+
+def most_at_once(shards: tuple[Shard, ...]) -> float:
+    """The most independent operations a cycle that a shard saw; NaN if none tells."""
+    rates = [rate for shard in shards for rate in _per_cycle(shard) if rate == rate]
+    return max(rates, default=math.nan)
 
 
 def wrong_bounds(cells: pd.DataFrame) -> pd.DataFrame:

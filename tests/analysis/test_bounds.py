@@ -22,6 +22,7 @@ from analysis.speed.limit_tables import (
     at_the_widest,
     bandwidths,
     rates,
+    with_instructions,
     with_throughput,
 )
 from analysis.speed.roofline import marks, roofs
@@ -322,6 +323,23 @@ def test_older_speed_files_tell_no_throughput(small_run: Path) -> None:
     run = load_run(small_run)
     assert math.isnan(run.shards[0].throughput_before_gops)
     assert run.speed["scene_bytes"].isna().all()
+
+
+def test_instructions_are_shown_a_cycle_where_the_loop_repeats(small_run: Path) -> None:
+    run = load_run(small_run)
+    shard = run.shards[0]
+    cells = speed_cells(run.speed).head(2).assign(shard=shard.name, ns=2.0, items=100)
+    traced = pd.DataFrame(
+        [{key: cells.iloc[0][key] for key in ("method", "scalar", "loop", "isa")}]
+    ).assign(per_item=12.0, per_call=50.0, items_per_iteration=8)
+    table = with_instructions(cells, traced, run.shards)
+    assert table["instructions"].iloc[0] == 12.5
+    per_cycle = table["instructions_per_cycle"]
+    assert per_cycle.iloc[0] == pytest.approx(12.5 / 2.0 / shard.clock_ghz)
+    assert math.isnan(per_cycle.iloc[1])
+    leaves_early = traced.assign(items_per_iteration=0)
+    unknown = with_instructions(cells, leaves_early, run.shards)
+    assert unknown["instructions_per_cycle"].isna().all()
 
 
 def test_throughput_is_shown_a_cycle_and_as_a_change(small_run: Path) -> None:
