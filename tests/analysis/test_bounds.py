@@ -16,8 +16,10 @@ from analysis.read.limits import Limits, includes
 from analysis.read.load import LoadError, load_run
 from analysis.read.load_limits import load_limits
 from analysis.read.load_operations import load_operations, no_operations
+from analysis.read.run import Run
 from analysis.speed.bounds import ALL, COLUMNS, beaten, with_bounds
 from analysis.speed.limit_columns import bound_words, of_limit_words
+from analysis.speed.limit_prose import limit_facts
 from analysis.speed.limit_tables import (
     at_the_widest,
     bandwidths,
@@ -340,6 +342,29 @@ def test_instructions_are_shown_a_cycle_where_the_loop_repeats(small_run: Path) 
     leaves_early = traced.assign(items_per_iteration=0)
     unknown = with_instructions(cells, leaves_early, run.shards)
     assert unknown["instructions_per_cycle"].isna().all()
+
+
+def test_the_fastest_is_told_with_the_instructions_of_its_loop(
+    small_run: Path,
+) -> None:
+    def facts(run: Run) -> dict[str, Any]:
+        cells = with_bounds(speed_cells(run.speed), run.limits, run.operations)
+        found = limit_facts(run, cells, "f32", "one_triangle")
+        assert found is not None and found["fastest"] is not None
+        return dict(found["fastest"])
+
+    run = load_run(small_run)
+    told = facts(run)
+    doubled = run.instructions.assign(
+        per_item=2 * run.instructions["per_item"],
+        per_call=2 * run.instructions["per_call"],
+    )
+    twice = facts(dataclasses.replace(run, instructions=doubled))
+    assert float(twice["per_cycle"]) == pytest.approx(
+        2 * float(told["per_cycle"]), 0.01
+    )
+    untraced = facts(dataclasses.replace(run, instructions=run.instructions.iloc[:0]))
+    assert untraced["per_cycle"] == untraced["instructions"] == ""
 
 
 def test_throughput_is_shown_a_cycle_and_as_a_change(small_run: Path) -> None:
