@@ -201,7 +201,7 @@ def _machine(document: dict[str, Any], nearest_model: str | None) -> Machine:
     machine = load.machine_of(document)
     if machine.design or nearest_model is None:
         return machine
-    return dataclasses.replace(machine, design=DESIGNS[nearest_model])
+    return dataclasses.replace(machine, design=DESIGNS.get(nearest_model, ""))
 
 
 def fingerprint(run: Run) -> frozenset[tuple[str, int, float]]:
