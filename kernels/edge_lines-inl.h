@@ -38,7 +38,7 @@ constexpr unsigned char kEdgeOrder[8][3] = {{1, 2, 0}, {1, 2, 0}, {2, 0, 1},
                                             {0, 1, 2}, {0, 1, 2}, {2, 0, 1},
                                             {1, 2, 0}, {1, 2, 0}};
 
-// The lines as T has them, computed in double precision: for f32 s and c are
+// The lines, computed in double precision, with s as T has it: for f32 s is
 // rounded once (the differences are nearly always exact, and what double
 // precision rounds does not show); for f64 s is within 3 units of roundoff and
 // c within 5·|s·x| + |y| of them, (x, y) being the edge's left vertex.
@@ -49,7 +49,8 @@ template <class T>
 class EdgeLines {
  public:
   struct Line {
-    Number<T> s, c;
+    Number<T> s;
+    Number<double> c;
   };
 
   // `clockwise`: abc is. `valid`: it contains anything.
@@ -65,8 +66,7 @@ class EdgeLines {
       const Number<double> ends[2][2] = {{vx, vy}, {wx, wy}};
       const unsigned turned = run < 0;
       const auto& left = ends[turned];
-      lines_[k] = {static_cast<Number<T>>(s),
-                   static_cast<Number<T>>(left[1] - s * left[0])};
+      lines_[k] = {static_cast<Number<T>>(s), left[1] - s * left[0]};
       steepest_ = k == 0 ? MagnitudeOf(s) : HWY_MAX(steepest_, MagnitudeOf(s));
       leftward |= turned << k;
       if (HWY_UNLIKELY(run == 0)) vertical |= 1U << k;

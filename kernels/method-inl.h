@@ -219,30 +219,36 @@ HWY_INLINE Vec<D> DoubleArea(const Triangles<D>& t) {
 }
 
 #if HWY_TARGET == HWY_AVX3 && !defined(PITBENCH_COUNTING)
-// Where v is finite and below 0.
+// Where v is neither 0 nor infinite nor NaN: where −|v| is finite and below 0.
 inline constexpr int kFiniteBelowZero = 0x40;
-HWY_INLINE hn::Mask512<float> FiniteBelowZero(hn::Vec512<float> v) {
-  return {_mm512_fpclass_ps_mask(v.raw, kFiniteBelowZero)};
+template <class T>
+HWY_INLINE hn::Vec512<T> MinusMagnitude(hn::Vec512<T> v) {
+  return hn::Or(v, Set(hn::DFromV<hn::Vec512<T>>(), T{-0.0}));
 }
-HWY_INLINE hn::Mask512<double> FiniteBelowZero(hn::Vec512<double> v) {
-  return {_mm512_fpclass_pd_mask(v.raw, kFiniteBelowZero)};
+HWY_INLINE hn::Mask512<float> FiniteNonZero(hn::Vec512<float> v) {
+  return {_mm512_fpclass_ps_mask(MinusMagnitude(v).raw, kFiniteBelowZero)};
+}
+HWY_INLINE hn::Mask512<double> FiniteNonZero(hn::Vec512<double> v) {
+  return {_mm512_fpclass_pd_mask(MinusMagnitude(v).raw, kFiniteBelowZero)};
 }
 // The same in the lanes of `mask`.
-HWY_INLINE hn::Mask512<float> AndFiniteBelowZero(hn::Mask512<float> mask,
-                                                 hn::Vec512<float> v) {
-  return {_mm512_mask_fpclass_ps_mask(mask.raw, v.raw, kFiniteBelowZero)};
+HWY_INLINE hn::Mask512<float> AndFiniteNonZero(hn::Mask512<float> mask,
+                                               hn::Vec512<float> v) {
+  return {_mm512_mask_fpclass_ps_mask(mask.raw, MinusMagnitude(v).raw,
+                                      kFiniteBelowZero)};
 }
-HWY_INLINE hn::Mask512<double> AndFiniteBelowZero(hn::Mask512<double> mask,
-                                                  hn::Vec512<double> v) {
-  return {_mm512_mask_fpclass_pd_mask(mask.raw, v.raw, kFiniteBelowZero)};
+HWY_INLINE hn::Mask512<double> AndFiniteNonZero(hn::Mask512<double> mask,
+                                                hn::Vec512<double> v) {
+  return {_mm512_mask_fpclass_pd_mask(mask.raw, MinusMagnitude(v).raw,
+                                      kFiniteBelowZero)};
 }
 // Whether these take a vector of D: they spare a compare, and each compare
 // writes a mask, which is dear.
 template <class D>
-inline constexpr bool kHasFiniteBelowZero = sizeof(Vec<D>) == 64;
+inline constexpr bool kHasFiniteNonZero = sizeof(Vec<D>) == 64;
 #else
 template <class D>
-inline constexpr bool kHasFiniteBelowZero = false;
+inline constexpr bool kHasFiniteNonZero = false;
 #endif
 
 // Where `area` is neither 0 nor infinite nor NaN. An infinite or NaN coordinate
@@ -250,8 +256,8 @@ inline constexpr bool kHasFiniteBelowZero = false;
 // all NaN elsewhere contains nothing then.
 template <class D>
 HWY_INLINE Mask<D> IsValidArea(D d, Vec<D> area) {
-  if constexpr (kHasFiniteBelowZero<D>) {
-    return FiniteBelowZero(hn::Or(area, Set(d, TFromD<D>{-0.0})));
+  if constexpr (kHasFiniteNonZero<D>) {
+    return FiniteNonZero(area);
   } else {
     const auto size = Abs(area);
     return And(Gt(size, Zero(d)),

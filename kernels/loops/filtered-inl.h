@@ -35,52 +35,77 @@ HWY_INLINE V AndOfThree(V a, V b, V c) {
 }
 #endif
 
-// What tells of the margins of a block whether all decide.
+// What tells of the margins of a block whether all decide: of_all, which takes
+// two of them at a time, and where a margin may be NaN the watch.
 #if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
-// Shifted: the least that is not negative. It is found among unsigned integers,
-// of which negative margins are the largest; of f64 the halves apart, and their
-// least together are no more than the least margin.
+// Turned: the least among unsigned integers, of which negative margins are the
+// largest; of f64 the halves apart, and their least together are no more than
+// the least margin.
 template <class D>
 HWY_INLINE Vec<D> OfNoMargin(D d) {
   const hn::RebindToSigned<D> di;
   return hn::BitCast(d, hn::Set(di, -1));
 }
 template <class D>
-HWY_INLINE Vec<D> WithMargin(D d, Vec<D> so_far, Vec<D> margin,
-                             Mask<D> inside) {
-#if HWY_TARGET == HWY_SSSE3  // has no such minimum: the signs of the undecided
-  return And(so_far, Or(hn::VecFromMask(d, inside), margin));
+HWY_INLINE Vec<D> WithMargins(D d, Vec<D> so_far, Vec<D> margin0,
+                              Vec<D> margin1, TFromD<D> decided_above) {
+#if HWY_TARGET == HWY_SSSE3  // has no such minimum: the signs of the decided
+  const auto above = Set(d, decided_above);
+  const auto decided = [&](Vec<D> margin) HWY_ATTR {
+    return Or(margin, hn::VecFromMask(d, Gt(margin, above)));
+  };
+  return And(so_far, And(decided(margin0), decided(margin1)));
 #else
-  (void)inside;
+  (void)decided_above;
   const hn::Repartition<std::uint32_t, D> du;
-  return hn::BitCast(d,
-                     hn::Min(hn::BitCast(du, so_far), hn::BitCast(du, margin)));
+  const auto least = hn::Min(hn::BitCast(du, so_far), hn::BitCast(du, margin0));
+  return hn::BitCast(d, hn::Min(least, hn::BitCast(du, margin1)));
 #endif
 }
+// NaN where one of the two margins is, whose sign bit would say inside. It may
+// also come of margins that are, or whose product is, infinite; then the block
+// is looked at again.
+template <class V>
+HWY_INLINE V Watch(V so_far, V margin0, V margin1) {
+  if constexpr (HWY_NATIVE_FMA) {
+    return MulAdd(margin0, margin1, so_far);
+  } else {
+    // In a register, or the compiler adds later and stores the margins.
+    return InRegister(Add(Add(so_far, margin0), margin1));
+  }
+}
 template <class D>
-HWY_INLINE bool AllDecided(D d, Vec<D> of_all, TFromD<D> inside_above) {
-  const auto above = hn::VecFromMask(d, Gt(of_all, Set(d, inside_above)));
-  return hn::AllTrue(d, SignMask(Or(above, of_all)));
+HWY_INLINE bool AllDecided(D d, Vec<D> of_all, Vec<D> watch,
+                           TFromD<D> decided_above) {
+  const auto above = hn::VecFromMask(d, Gt(of_all, Set(d, decided_above)));
+  const auto decided = hn::MaskFromVec(Or(above, of_all));
+  return hn::AllTrue(d, And(decided, Eq(watch, watch)));
 }
 #else
 // Scaled: the and of their bits, which AVX-512 makes of two margins in one
 // instruction; else their least magnitude, where a margin that is NaN is passed
-// over.
+// over, as it says outside.
 template <class D>
 HWY_INLINE Vec<D> OfNoMargin(D d) {
   using Limits = std::numeric_limits<TFromD<D>>;
   return Set(d, kScaled ? Limits::infinity() : Limits::max());
 }
-template <class V>
-HWY_INLINE V WithMargins(V so_far, V margin0, V margin1) {
+template <class D>
+HWY_INLINE Vec<D> WithMargins(D, Vec<D> so_far, Vec<D> margin0, Vec<D> margin1,
+                              TFromD<D>) {
   if constexpr (kScaled) {
     return AndOfThree(so_far, margin0, margin1);
   } else {
     return hn::Min(Abs(margin1), hn::Min(Abs(margin0), so_far));
   }
 }
+template <class V>
+HWY_INLINE V Watch(V so_far, V, V) {
+  return so_far;
+}
 template <class D>
-HWY_INLINE bool AllDecided(D d, Vec<D> of_all, TFromD<D> inside_above) {
+HWY_INLINE bool AllDecided(D d, Vec<D> of_all, Vec<D>,
+                           TFromD<D> decided_above) {
   if constexpr (kScaled) {
     const hn::RebindToSigned<D> di;
     using I = TFromD<decltype(di)>;
@@ -88,21 +113,37 @@ HWY_INLINE bool AllDecided(D d, Vec<D> of_all, TFromD<D> inside_above) {
     return hn::AllTrue(di, hn::TestBit(hn::BitCast(di, of_all),
                                        hn::Set(di, kHighestOfExponent)));
   } else {
-    return hn::AllTrue(d, Gt(of_all, Set(d, inside_above)));
+    return hn::AllTrue(d, Gt(of_all, Set(d, decided_above)));
   }
 }
 #endif
 
-// Which lanes a margin decides, as bits. `inside` are those that it says are
-// inside.
+// Which lanes are inside, where all margins of a block decide.
 template <class D>
-HWY_INLINE std::uint64_t DecidedBits(D d, Vec<D> margin, std::uint64_t inside,
-                                     TFromD<D> inside_above) {
-  if constexpr (kShifted) {
-    return inside | MaskBits(d, SignMask(margin));
+HWY_INLINE Mask<D> InsideIfDecided(D d, Vec<D> margin,
+                                   TFromD<D> decided_above) {
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+  (void)d;
+  (void)decided_above;
+  return hn::MaskFromVec(margin);
+#else
+  return Gt(margin, Set(d, decided_above));
+#endif
+}
+
+// Which lanes a margin says are inside and which outside, as bits.
+struct Verdict {
+  std::uint64_t inside, outside;
+};
+template <class D>
+HWY_INLINE Verdict VerdictOf(D d, Vec<D> margin, TFromD<D> decided_above) {
+  const auto threshold = Set(d, decided_above);
+  if constexpr (kTurned) {
+    return {MaskBits(d, Lt(margin, Zero(d))),
+            MaskBits(d, Gt(margin, threshold))};
   } else {
-    (void)inside;
-    return MaskBits(d, Gt(Abs(margin), Set(d, inside_above)));
+    return {MaskBits(d, Gt(margin, threshold)),
+            MaskBits(d, Lt(margin, hn::Neg(threshold)))};
   }
 }
 
@@ -113,7 +154,7 @@ HWY_INLINE std::uint64_t DecidedBits(D d, Vec<D> margin, std::uint64_t inside,
 // they hold, and the compiler would load it all again for each vector.
 template <class D, class MarginAt, class TailAt, class Contains>
 static HWY_NOINLINE void Decide(D d, std::size_t first, std::size_t end,
-                                TFromD<D> inside_above, std::uint8_t* bits,
+                                TFromD<D> decided_above, std::uint8_t* bits,
                                 MarginAt margin_at, TailAt tail_at,
                                 Contains contains) {
   const std::size_t lanes = hn::Lanes(d);
@@ -127,94 +168,133 @@ static HWY_NOINLINE void Decide(D d, std::size_t first, std::size_t end,
       const auto margin =
           exist == lanes ? margin_at(first + j) : tail_at(first + j, exist);
       const std::uint64_t real = ~std::uint64_t{0} >> (64 - exist);
-      const std::uint64_t in =
-          MaskBits(d, Gt(margin, Set(d, inside_above))) & real;
-      inside |= in << j;
-      undecided |= (~DecidedBits(d, margin, in, inside_above) & real) << j;
+      const Verdict verdict = VerdictOf(d, margin, decided_above);
+      inside |= (verdict.inside & real) << j;
+      undecided |= (~(verdict.inside | verdict.outside) & real) << j;
     }
     for (; undecided != 0; undecided &= undecided - 1) {
       const auto bit = hwy::Num0BitsBelowLS1Bit_Nonzero64(undecided);
       inside |= std::uint64_t{contains(first + bit)} << bit;
     }
-    std::memcpy(bits + first / 8, &inside, BitBytes(count));
+    std::uint8_t* const to = bits + first / 8;
+    if (HWY_LIKELY(count == step)) {  // of a size that is known, mostly
+      std::memcpy(to, &inside, step / 8);
+    } else {
+      std::memcpy(to, &inside, BitBytes(count));
+    }
   }
 }
 
 // Writes n answers. margin_at(i) gives the margins of the items from i on, all
 // of which exist; tail_at(i, count) those of the last count < Lanes(d) items.
 // Where they do not decide, contains(i) answers for one item exactly.
-template <class D, class MarginAt, class TailAt, class Contains>
-HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> inside_above,
+// kMayBeNaN: a margin may, where an item is not finite.
+template <bool kMayBeNaN, class D, class MarginAt, class TailAt, class Contains>
+HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> decided_above,
                               std::uint8_t* bits, const MarginAt& margin_at,
                               const TailAt& tail_at, const Contains& contains) {
   const std::size_t lanes = hn::Lanes(d);
   const std::size_t step = HWY_MAX(lanes, std::size_t{8});
-  // So many items share one look at whether all are decided.
   const std::size_t block = 8 * step;
-  const std::size_t whole = n - n % block;
+  // So many blocks share one look at whether all items are decided, which takes
+  // as long as one vector or two. Where they are not, each of them is looked at
+  // by itself.
+  constexpr std::size_t kShare = 16;
+  std::size_t one_by_one = 0;
+  std::size_t left = n / block;
   std::size_t first = 0;
-  while (first < whole) {
+  while (left != 0) {
     // No call in this loop, so that its constants stay in registers.
     bool decided = true;
-    for (; first < whole; first += block) {
-      const auto threshold = Set(d, inside_above);
-      std::uint8_t* const to = bits + first / 8;
+    std::size_t looked_at = 0;
+    while (left != 0) {
+      looked_at = one_by_one != 0 ? 1 : HWY_MIN(kShare, left);
       auto of_all = OfNoMargin(d);
-      auto first_of_two = Set(d, TFromD<D>{0});
+      auto watch = Zero(d);
+      std::size_t start = first;
+      std::uint8_t* to = bits + first / 8;
+      for (std::size_t k = looked_at; k != 0; --k) {
+        auto first_of_two = watch;
 #pragma GCC unroll 8
-      for (std::size_t i = 0; i < block; i += step) {
-        std::uint64_t byte = 0;
-        for (std::size_t j = 0; j < step; j += lanes) {
-          const auto margin = margin_at(first + i + j);
-          const auto inside = Gt(margin, threshold);
-          if constexpr (kShifted) {
-            of_all = WithMargin(d, of_all, margin, inside);
-          } else if ((i + j) / lanes % 2 == 0) {
-            first_of_two = margin;
-          } else {
-            of_all = WithMargins(of_all, first_of_two, margin);
+        for (std::size_t i = 0; i < block; i += step) {
+          std::uint64_t byte = 0;
+          for (std::size_t j = 0; j < step; j += lanes) {
+            const auto margin = margin_at(start + i + j);
+            const auto inside = InsideIfDecided(d, margin, decided_above);
+            if ((i + j) / lanes % 2 == 0) {
+              first_of_two = margin;
+            } else {
+              of_all =
+                  WithMargins(d, of_all, first_of_two, margin, decided_above);
+              if (kMayBeNaN) watch = Watch(watch, first_of_two, margin);
+            }
+            if (lanes >= 8) {
+              hn::StoreMaskBits(d, inside, to + i / 8);
+            } else {
+              byte |= MaskBits(d, inside) << j;
+            }
           }
-          if (lanes >= 8) {
-            hn::StoreMaskBits(d, inside, to + i / 8);
-          } else {
-            byte |= MaskBits(d, inside) << j;
-          }
+          if (lanes < 8) to[i / 8] = static_cast<std::uint8_t>(byte);
         }
-        if (lanes < 8) to[i / 8] = static_cast<std::uint8_t>(byte);
+        start += block;
+        to += block / 8;
       }
-      decided = AllDecided(d, of_all, inside_above);
+      decided = AllDecided(d, of_all, watch, decided_above);
       if (HWY_UNLIKELY(!decided)) break;
+      first = start;
+      left -= looked_at;
+      if (one_by_one != 0) --one_by_one;
     }
-    if (!decided) {
-      Decide(d, first, first + block, inside_above, bits, margin_at, tail_at,
-             contains);
-      first += block;
+    if (decided) continue;
+    if (looked_at != 1) {
+      one_by_one = looked_at;
+    } else {
+      const std::size_t end = first + block;
+      Decide(d, first, end, decided_above, bits, margin_at, tail_at, contains);
+      first = end;
+      --left;
+      if (one_by_one != 0) --one_by_one;
     }
   }
   if (first < n) {
-    Decide(d, first, n, inside_above, bits, margin_at, tail_at, contains);
+    Decide(d, first, n, decided_above, bits, margin_at, tail_at, contains);
   }
 }
 
 // The points of a batch as two arrays. Of(exchanged, use) calls use(vectors),
-// whose At(d, i, margin) is margin(u, v) for those from i on: u are their x and
-// v their y, or, exchanged, the other way round. PointsSideBySide is alike.
+// whose At(d, i, margin) is margin(u, v, v) for those from i on: u are their x
+// and v their y, or, exchanged, the other way round. PointsSideBySide is alike.
 template <class T>
 struct PointsInTwoArrays {
   struct Vectors {
     const T* u;
     const T* v;
+    const T* v_again;
+    HWY_INLINE Vectors(const T* first, const T* second)
+        : u(first), v(second), v_again(second) {
+#if HWY_ARCH_X86 && !defined(PITBENCH_COUNTING)
+      // Turned margins take v as an operand in memory, twice, which a compiler
+      // does not do with what it knows to be the same.
+      if constexpr (kTurned) asm("" : "+r"(v_again));
+#endif
+    }
     template <class D, class Margin>
     HWY_INLINE Vec<D> At(D d, std::size_t i, const Margin& margin) const {
-      return margin(InRegister(hn::LoadU(d, u + i)),
-                    InRegister(hn::LoadU(d, v + i)));
+      const auto from_u = InRegister(hn::LoadU(d, u + i));
+      if constexpr (kTurned) {
+        return margin(from_u, hn::LoadU(d, v + i), hn::LoadU(d, v_again + i));
+      } else {
+        const auto from_v = InRegister(hn::LoadU(d, v + i));
+        return margin(from_u, from_v, from_v);
+      }
     }
     template <class D, class Margin>
     HWY_INLINE Vec<D> TailAt(D d, std::size_t i, std::size_t count,
                              const Margin& margin) const {
       const Tail<D> last_u(u + i, count);
       const Tail<D> last_v(v + i, count);
-      return margin(hn::Load(d, last_u.data()), hn::Load(d, last_v.data()));
+      const auto from_v = hn::Load(d, last_v.data());
+      return margin(hn::Load(d, last_u.data()), from_v, from_v);
     }
   };
 
@@ -224,7 +304,7 @@ struct PointsInTwoArrays {
   HWY_INLINE T y(std::size_t i) const { return py[i]; }
   template <class Use>
   HWY_INLINE void Of(bool exchanged, const Use& use) const {
-    use(Vectors{exchanged ? py : px, exchanged ? px : py});
+    use(Vectors(exchanged ? py : px, exchanged ? px : py));
   }
 
   const T* px;
@@ -237,12 +317,12 @@ HWY_INLINE Corners<T> CornersOf(const Batch<T>& one_triangle) {
   return {*b.ax, *b.ay, *b.bx, *b.by, *b.cx, *b.cy};
 }
 
-// Writes the answers of one triangle by margin(u, v), which is given x as u and
-// y as v, or, exchanged, y and x.
+// Writes the answers of one triangle by margin(u, v, v), which is given x as u
+// and y as v, or, exchanged, y and x.
 template <template <class> class PointsOf, class T, class Margin>
 static HWY_INLINE void WriteByMargin(const Batch<T>& batch, const Result<T>& to,
                                      Boundary boundary, bool exchanged,
-                                     T inside_above, const Margin& margin) {
+                                     T decided_above, const Margin& margin) {
   const Lanes<T> d;
   const std::size_t n = batch.n;
   const PointsOf<T> points(batch);
@@ -250,8 +330,8 @@ static HWY_INLINE void WriteByMargin(const Batch<T>& batch, const Result<T>& to,
   // By address: few items need it, and a set-up without copies is shorter.
   const Batch<T>* const b = &batch;
   points.Of(exchanged, [=](auto vectors) HWY_ATTR {
-    WriteFiltered(
-        d, n, inside_above, bits,
+    WriteFiltered<true>(
+        d, n, decided_above, bits,
         [=](std::size_t i) HWY_ATTR { return vectors.At(d, i, margin); },
         [=](std::size_t i, std::size_t count)
             HWY_ATTR { return vectors.TailAt(d, i, count, margin); },
@@ -269,9 +349,10 @@ static HWY_INLINE void WriteBySlopes(const Batch<T>& batch, const Result<T>& to,
   using D = Lanes<T>;
   slopes.Choose([&](auto form) HWY_ATTR {
     const D d;
-    WriteByMargin<PointsOf>(batch, to, boundary, exchanged, slopes.inside_above,
-                            [=](Vec<D> x, Vec<D> y)
-                                HWY_ATTR { return form.Margin(d, x, y); });
+    WriteByMargin<PointsOf>(batch, to, boundary, exchanged,
+                            slopes.decided_above,
+                            [=](Vec<D> x, Vec<D> y0, Vec<D> y1)
+                                HWY_ATTR { return form.Margin(d, x, y0, y1); });
   });
 }
 
@@ -291,9 +372,9 @@ static HWY_NOINLINE void FilteredSteepTriangle(const Batch<T>& batch,
   }
   const AreaFilter<T> area(v);
   if (area.holds) {
-    WriteByMargin<PointsOf>(batch, to, boundary, false, area.inside_above,
-                            [=](Vec<D> x, Vec<D> y)
-                                HWY_ATTR { return area.Margin(d, x, y); });
+    WriteByMargin<PointsOf>(batch, to, boundary, false, area.decided_above,
+                            [=](Vec<D> x, Vec<D> y0, Vec<D> y1)
+                                HWY_ATTR { return area.Margin(d, x, y0, y1); });
   } else if (ExactOrientation(v) == 0) {
     std::memset(to.bits, 0, BitBytes(batch.n));
   } else {
@@ -306,7 +387,7 @@ static HWY_NOINLINE void FilteredSteepTriangle(const Batch<T>& batch,
     hn::Store(Set(d, v.cy), d, all[5]);
     const Triangles<D> same{d, all[0], all[1], all[2], all[3], all[4], all[5]};
     WriteByMargin<PointsOf>(batch, to, boundary, false, T{0},
-                            [=](Vec<D> x, Vec<D> y) HWY_ATTR {
+                            [=](Vec<D> x, Vec<D> y, Vec<D>) HWY_ATTR {
                               return DeterminantMargin(d, same, x, y);
                             });
   }
@@ -336,7 +417,7 @@ static HWY_NOINLINE void FilteredManyTriangles(const Batch<T>& batch,
   const Batch<T> b = batch;  // local, so that no store can alias it
   const T x0 = kOnePoint && b.n != 0 ? *b.px : T{0};
   const T y0 = kOnePoint && b.n != 0 ? *b.py : T{0};
-  WriteFiltered(
+  WriteFiltered<false>(
       d, b.n, T{0}, to.bits,
       [=](std::size_t i) HWY_ATTR {
         const Triangles<D> t{d,        b.ax + i, b.ay + i, b.bx + i,

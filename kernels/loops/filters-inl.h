@@ -2,12 +2,13 @@
 // point for certain and knows where it does not.
 //
 // A filter gives each item a margin: above t it is inside, below −t it is not,
-// and between nothing is decided. Where the sign bits of a vector are had for
-// one instruction and the smaller magnitude is not, margins are shifted up by
-// t: a sign bit says outside, and above 2t is inside (kShifted). Elsewhere, if
-// there are fused multiply-adds, margins are multiplied by a power of two that
-// makes t at least 1 and less than 2: what is decided, from ±2 on, has the
-// highest bit of its exponent set (kScaled).
+// and between nothing is decided. On x86 before AVX-512, where one instruction
+// gives the sign bits of a vector, t − margin takes its place (kTurned): its
+// sign bit says inside, above 2t is outside, and as unsigned integers nothing
+// is less than what is undecided. Elsewhere, if there are fused multiply-adds,
+// margins are multiplied by a power of two that makes t at least 1 and less
+// than 2: what is decided, from ±2 on, has the highest bit of its exponent set
+// (kScaled).
 //
 // Two filters are static: a bound on the error of what is computed for a point,
 // known once for a triangle and good for every finite point, so that a point
@@ -30,27 +31,62 @@ namespace pitbench {
 namespace PITBENCH_ISA {
 
 #if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
-inline constexpr bool kShifted = true;
-// The lanes whose sign bit is set.
-template <class V>
-HWY_INLINE auto SignMask(V v) {
-  return hn::MaskFromVec(v);
-}
+inline constexpr bool kTurned = true;
 #else
-inline constexpr bool kShifted = false;
-template <class V>
-HWY_INLINE auto SignMask(V v) {
-  return Lt(v, Sub(v, v));
-}
+inline constexpr bool kTurned = false;
 #endif
 
-inline constexpr bool kScaled = HWY_NATIVE_FMA && !kShifted;
+inline constexpr bool kScaled = HWY_NATIVE_FMA && !kTurned;
 
-// Above it an item is inside, where a filter has this t.
+// Whether turned margins are compared as integers of 32 bits, which takes an
+// instruction that no addition waits for. Of f64 that tells the upper halves
+// apart, with the sign, and the lower ones become either's.
+inline constexpr bool kByIntegers = kTurned && HWY_TARGET != HWY_SSSE3;
+
+// Above it a margin decides: inside, or outside if it is turned or below the
+// negative of it; where a filter has this t.
 template <class T>
-HWY_INLINE T InsideAbove(Number<T> t) {
+HWY_INLINE T DecidedAbove(Number<T> t) {
   constexpr T kBelowTwo = 2 - std::numeric_limits<T>::epsilon();
-  return kScaled ? kBelowTwo : static_cast<T>(kShifted ? 2 * t : t);
+  if constexpr (kScaled) {
+    return kBelowTwo;
+  } else if constexpr (kByIntegers && sizeof(T) == 8) {
+    // The largest that has this upper half.
+    const T twice = 2 * t;
+    std::uint64_t bits;
+    std::memcpy(&bits, &twice, sizeof(bits));
+    bits |= 0xFFFFFFFF;
+    T largest;
+    std::memcpy(&largest, &bits, sizeof(bits));
+    return largest;
+  } else {
+    return static_cast<T>(kTurned ? 2 * t : t);
+  }
+}
+
+// The lesser of two margins; turned, the greater. NaN is the result where b is,
+// and by integers where a is, unless the other says outside; of two NaN it may
+// be either.
+template <class D>
+HWY_INLINE Vec<D> LesserOrSecond(D d, Vec<D> a, Vec<D> b) {
+  if constexpr (kByIntegers) {
+    const hn::Repartition<std::int32_t, D> di;
+    return hn::BitCast(d, hn::Max(hn::BitCast(di, a), hn::BitCast(di, b)));
+  } else {
+    (void)d;
+    return kTurned ? MaxOrSecond(a, b) : MinOrSecond(a, b);
+  }
+}
+
+// The same where it does not matter what comes of NaN.
+template <class D>
+HWY_INLINE Vec<D> Lesser(D d, Vec<D> a, Vec<D> b) {
+  if constexpr (kByIntegers) {
+    return LesserOrSecond(d, a, b);
+  } else {
+    (void)d;
+    return kTurned ? hn::Max(a, b) : hn::Min(a, b);
+  }
 }
 
 // The power of two that margins are multiplied by, where t is bound rounded to
@@ -101,8 +137,9 @@ HWY_INLINE Number<T> MarginScale(Wide bound) {
 //   |error| ≤ σt   with t = u·(5.5·(S_0 + S_1) + 5.5·k)               for f32,
 //                       t = u·(8.5·(S_0 + S_1) + 5.5·k + 4.5·P)       for f64,
 // in which the halves pay for terms of order u², and the smallest normal number
-// is added for what underflows. Shifted, c_j has t added and k 3t, so that all
-// three e are t larger; for f64 these are rounded once more, for u·S_j and u·k.
+// is added for what underflows. Turned, all is negated, which no rounding
+// shows, and c_j has t added and k 3t, so that t is added to all three e; for
+// f64 these are rounded once more, for u·S_j and u·k.
 //
 // Inside σ = 1, so no e is as low as −t. Outside, the negative weights sum to
 // −N, σ = 1 + 2N, and one of at most two has w ≤ −N/2: its e is computed below
@@ -111,14 +148,15 @@ HWY_INLINE Number<T> MarginScale(Wide bound) {
 // Overflow: points in the triangle keep all terms below 2·(S_0 + S_1 + k),
 // which is asked to be an eighth of the largest number. So an e that overflows
 // belongs to a point outside; if e0 or e1 is +∞, e2 is −∞ or NaN; and m is NaN
-// where e2 is, which is never inside.
+// where e2 is, which is never inside. (Turned the signs are the other ones, and
+// where e2 is NaN m is, or says outside.)
 //
 // Scaled, these terms are below 1/u. A coefficient may underflow, by less than
 // 2^-20 of t for points in the triangle, or overflow, which the code asks.
 template <class T>
 struct AreaFilter {
   Number<T> a0, b0, c0, a1, b1, c1, k;
-  T inside_above;
+  T decided_above;
   bool holds;  // the claim; else this filter may not be used
 
   HWY_INLINE explicit AreaFilter(const Corners<T>& v) {
@@ -130,7 +168,8 @@ struct AreaFilter {
     const Number<double> left = (bx - ax) * (cy - ay);
     const Number<double> right = (by - ay) * (cx - ax);
     const Number<double> area = left - right;
-    const Number<double> sign = area < 0 ? -1 : 1;
+    const Number<double> size_of_area = Magnitude(area);
+    const Number<double> sign = (area < 0) != kTurned ? -1 : 1;
     const Number<double> a0_wide = (ay - by) * sign;
     const Number<double> b0_wide = (bx - ax) * sign;
     const Number<double> a1_wide = (by - cy) * sign;
@@ -141,19 +180,19 @@ struct AreaFilter {
         HWY_MAX(HWY_MAX(Magnitude(ay), Magnitude(by)), Magnitude(cy));
     const Number<double> edges = (Magnitude(a0_wide) + Magnitude(a1_wide)) * x +
                                  (Magnitude(b0_wide) + Magnitude(b1_wide)) * y;
-    const Number<double> size = edges + area * sign;
+    const Number<double> size = edges + size_of_area;
     const Number<double> products = Magnitude(left) + Magnitude(right);
-    const double more = kShifted ? 1 : 0;
+    const double more = kTurned ? 1 : 0;
     const Number<double> bound = kFloat ? 5.5 * size
                                         : (8.5 + more) * edges +
-                                              (5.5 + more) * (area * sign) +
+                                              (5.5 + more) * size_of_area +
                                               4.5 * products;
     const Number<double> wide_t =
         kUnit * bound + static_cast<double>(std::numeric_limits<T>::min());
     // As T has it, so that all uses of it agree.
     const Number<T> t = static_cast<Number<T>>(wide_t);
     const Number<double> shift =
-        kShifted ? static_cast<Number<double>>(t) : Number<double>(0);
+        kTurned ? static_cast<Number<double>>(t) : Number<double>(0);
     const Number<double> scale =
         static_cast<Number<double>>(MarginScale<T>(wide_t));
     const auto scaled = [scale](Number<double> wide) {
@@ -166,18 +205,18 @@ struct AreaFilter {
     b1 = scaled(b1_wide);
     c1 = scaled(shift - (a1_wide * bx + b1_wide * by));
     k = scaled(area * sign + 3 * shift);
-    inside_above = InsideAbove<T>(t);
+    decided_above = DecidedAbove<T>(t);
     constexpr double kMax = std::numeric_limits<T>::max();
     // An area that is NaN fails.
-    holds = size < kMax / 8 && static_cast<Number<T>>(area * sign) >= 6 * t &&
+    holds = size < kMax / 8 && static_cast<Number<T>>(size_of_area) >= 6 * t &&
             (!kScaled || 2 * (x + y) * scale < kMax);
   }
 
   template <class D>
-  HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
-    const auto e0 = MulAdd(Set(d, a0), x, MulAdd(Set(d, b0), y, Set(d, c0)));
-    const auto e1 = MulAdd(Set(d, a1), x, MulAdd(Set(d, b1), y, Set(d, c1)));
-    return MinOrSecond(hn::Min(e0, e1), Sub(Sub(Set(d, k), e0), e1));
+  HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y0, Vec<D> y1) const {
+    const auto e0 = MulAdd(Set(d, a0), x, MulAdd(Set(d, b0), y0, Set(d, c0)));
+    const auto e1 = MulAdd(Set(d, a1), x, MulAdd(Set(d, b1), y1, Set(d, c1)));
+    return LesserOrSecond(d, Lesser(d, e0, e1), Sub(Sub(Set(d, k), e0), e1));
   }
 };
 
@@ -193,28 +232,33 @@ struct AreaFilter {
 // from S·x + C by at most σe: for f32 s and c are rounded from double, so
 //   e = u·(2·|S|·X + Y),
 // for f64 s is off by 3u·|S| and c by u·(5·|S|·X + Y), so e = u·(8·|S|·X + Y);
-// u·|S|·X more where s·x is rounded by itself, and u·(|S|·X + Y) more where c
-// is rounded once more because it is shifted. What the last rounding adds need
-// not be known of all l, only of those near y. Where y is not below the exact
-// line, l is at most what y + σe rounds to, which is at most y + σe + u·(|y| +
-// σe); likewise where it is not above. So a distance has the wrong sign by at
-// most σt, with t = e + u·Y; that y − l is rounded changes nothing: rounding is
-// monotone and t a number of type T. The distance from a vertical edge has the
-// right sign. t is the largest of the three bounds, halves added for terms of
-// order u², and the smallest normal number times 1 + X for what underflows.
+// u·|S|·X more where s·x is rounded by itself, and for f64 u·(|S|·X + Y) more
+// where c is rounded once more because, turned, it has t added. What the last
+// rounding adds need not be known of all l, only of those near y. Where y is
+// not below the exact line, l is at most what y + σe rounds to, which is at
+// most y + σe + u·(|y| + σe); likewise where it is not above. So a distance has
+// the wrong sign by at most σt, with t = e + u·Y; that y − l is rounded changes
+// nothing: rounding is monotone and t a number of type T. The distance from a
+// vertical edge has the right sign. t is the largest of the three bounds,
+// halves added for terms of order u², and the smallest normal number times 1 +
+// X for what underflows.
 //
 // Inside σ = 1, so no margin is as low as −t. Outside, as there, one w is at
 // most −N/2 with σ = 1 + 2N, and y is N·H/2 beyond that edge's line, where H is
 // how far the triangle reaches from the edge along y. Where H > 4t that exceeds
-// the 2N·t by which σt exceeds t, so the margin is at most t. The code asks for
-// 12t of an H that may be 4t off. A vertical edge's margin is negative.
+// the 2N·t by which σt exceeds t, so the margin is less than t. The code asks
+// for 12t of an H that may be 4t off. A vertical edge's margin is negative.
 //
 // Overflow: with |S| below the largest number and |S|·X + Y below a 512th of it
 // no line overflows for points in the triangle, and beside a line that does, a
 // y on its wrong side would have to be within t of the largest number. Infinite
 // x: lines below and above are infinite in the wrong order or equal to y, so
-// that a distance is −∞ or NaN; MinOrSecond keeps the NaN of the two lines that
-// are taken together.
+// that a distance is −∞ or NaN; LesserOrSecond keeps the NaN of the two lines
+// that are taken together.
+//
+// Turned, a margin whose sign bit is set and that is −0 is t exactly. Lines
+// above are negated and y added to them, so that y may be an operand in memory
+// on both sides.
 //
 // Scaled, s must not overflow, which the code asks; what underflows there is
 // less than 2^-20 of t for points in the triangle. Lines overflow sooner, but
@@ -234,10 +278,13 @@ struct SlopeFilter {
     }
   };
 
-  // How far a line lies above y, and y above a line.
+  // How far a line that LineAbove made lies above y, and y above one of
+  // LineBelow; turned, t less that.
   template <class D>
   static HWY_INLINE Vec<D> Above(D d, Number<T> scale, Vec<D> line, Vec<D> y) {
-    if constexpr (kScaled) {
+    if constexpr (kTurned) {
+      return Add(line, y);
+    } else if constexpr (kScaled) {
       return NegMulAdd(Set(d, scale), y, line);
     } else {
       return Sub(line, y);
@@ -245,32 +292,37 @@ struct SlopeFilter {
   }
   template <class D>
   static HWY_INLINE Vec<D> Below(D d, Number<T> scale, Vec<D> line, Vec<D> y) {
-    if constexpr (kScaled) {
+    if constexpr (kTurned) {
+      return Sub(line, y);
+    } else if constexpr (kScaled) {
       return MulSub(Set(d, scale), y, line);
     } else {
       return Sub(y, line);
     }
   }
 
-  // Margins for each way in which the lines may lie.
+  // Margins for each way in which the lines may lie. Both y are the same.
   struct TwoBelow {
     Line below0, below1, above;
     Number<T> scale;
     template <class D>
-    HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
+    HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y0, Vec<D> y1) const {
       const auto most = hn::Max(below0.At(d, x), below1.At(d, x));
-      return MinOrSecond(Above(d, scale, above.At(d, x), y),
-                         Below(d, scale, most, y));
+      return LesserOrSecond(d, Above(d, scale, above.At(d, x), y0),
+                            Below(d, scale, most, y1));
     }
   };
   struct TwoAbove {
     Line above0, above1, below;
     Number<T> scale;
     template <class D>
-    HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
-      const auto least = hn::Min(above0.At(d, x), above1.At(d, x));
-      return MinOrSecond(Below(d, scale, below.At(d, x), y),
-                         Above(d, scale, least, y));
+    HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y0, Vec<D> y1) const {
+      const auto line0 = above0.At(d, x);
+      const auto line1 = above1.At(d, x);
+      const auto least =
+          kTurned ? hn::Max(line0, line1) : hn::Min(line0, line1);
+      return LesserOrSecond(d, Below(d, scale, below.At(d, x), y0),
+                            Above(d, scale, least, y1));
     }
   };
   struct OneVertical {
@@ -279,14 +331,15 @@ struct SlopeFilter {
     Number<T> sign, offset;
     Number<T> scale;
     template <class D>
-    HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y) const {
+    HWY_INLINE Vec<D> Margin(D d, Vec<D> x, Vec<D> y0, Vec<D> y1) const {
       const auto across = Add(Mul(Set(d, sign), x), Set(d, offset));
-      return MinOrSecond(hn::Min(Above(d, scale, above.At(d, x), y), across),
-                         Below(d, scale, below.At(d, x), y));
+      return LesserOrSecond(
+          d, Lesser(d, Above(d, scale, above.At(d, x), y0), across),
+          Below(d, scale, below.At(d, x), y1));
     }
   };
 
-  T inside_above;
+  T decided_above;
   bool holds;
 
   HWY_INLINE explicit SlopeFilter(const Corners<T>& v)
@@ -307,9 +360,10 @@ struct SlopeFilter {
         },
         [&](const Edge& below, const Edge& above, Number<T> vertical_x,
             bool right) HWY_ATTR {
-          const Number<T> sign = right ? 1 : -1;
+          const Number<T> sign = right != kTurned ? 1 : -1;
+          const auto edge = static_cast<Number<double>>(sign * vertical_x);
           use(OneVertical{LineBelow(below), LineAbove(above), Scaled(sign),
-                          Scaled(shift_ - sign * vertical_x), scale_});
+                          Scaled(Constant(shift_ - edge)), scale_});
         });
   }
 
@@ -324,7 +378,7 @@ struct SlopeFilter {
     const Number<double> y = MostOf(v.ay, v.by, v.cy);
     const Number<double> steepest = lines_.Steepest();
     const double apart = HWY_NATIVE_FMA ? 0 : 1;
-    const double more = kShifted ? 1 : 0;
+    const double more = kTurned && !kFloat ? 1 : 0;
     const double of_slope = kUnit * ((kFloat ? 2.5 : 8.5) + apart + more);
     const Number<double> bound =
         steepest * (of_slope * x) + (kUnit * (2.5 + more) * y + kMin * (1 + x));
@@ -335,9 +389,9 @@ struct SlopeFilter {
                         Magnitude(Number<double>(v.cx) - Number<double>(v.bx))),
                 Magnitude(Number<double>(v.ax) - Number<double>(v.cx)));
     const Number<double> size = Magnitude(area);  // reach times width
-    shift_ = kShifted ? t : Number<T>(0);
+    shift_ = kTurned ? static_cast<Number<double>>(t) : Number<double>(0);
     scale_ = MarginScale<T>(bound);
-    inside_above = InsideAbove<T>(t);
+    decided_above = DecidedAbove<T>(t);
     holds = steepest < kMax && steepest * x + y < kMax / 512 &&
             size * kMostUndecided >= bound * width && size > kLeast &&
             size < std::numeric_limits<double>::max() &&
@@ -362,19 +416,27 @@ struct SlopeFilter {
     return kScaled ? value * scale_ : value;
   }
   HWY_INLINE Line LineBelow(const typename EdgeLines<T>::Line& line) const {
-    return {Scaled(line.s), Scaled(line.c - shift_)};
+    return kTurned ? Line{line.s, Constant(line.c + shift_)} : ScaledLine(line);
   }
   HWY_INLINE Line LineAbove(const typename EdgeLines<T>::Line& line) const {
-    return {Scaled(line.s), Scaled(line.c + shift_)};
+    return kTurned ? Line{-line.s, Constant(shift_ - line.c)}
+                   : ScaledLine(line);
+  }
+  HWY_INLINE Line ScaledLine(const typename EdgeLines<T>::Line& line) const {
+    return {Scaled(line.s), Scaled(Constant(line.c))};
+  }
+  static HWY_INLINE Number<T> Constant(Number<double> c) {
+    return static_cast<Number<T>>(c);
   }
 
   EdgeLines<T> lines_;
-  Number<T> shift_;
+  Number<double> shift_;
   Number<T> scale_;
 };
 
-// The margin of points that each have a triangle of their own: above 0 inside,
-// below 0 outside, an undecided +0; where margins are scaled, +2 and −2. Each
+// The margin of points that each have a triangle of their own, never NaN: above
+// 0 inside, below 0 outside, turned the other way round, an undecided +0; where
+// margins are scaled, +2 and −2. Each
 // determinant (v − p) × (w − p) is wrong by less than 4u·(|l| + |r|) and the
 // smallest normal number (see exact/contains.cc); the three have one bound, in
 // which their magnitudes are added, since of a maximum NaN might get lost. Let
@@ -411,7 +473,8 @@ HWY_INLINE Vec<D> DeterminantMargin(D d, const Triangles<D>& t, Vec<D> x,
                             magnitudes, Set(d, std::numeric_limits<T>::min()));
   const auto least = hn::Min(hn::Min(ab, bc), ca);
   const auto most = hn::Max(hn::Max(ab, bc), ca);
-  const auto margin = hn::Max(least, hn::Neg(most));
+  const auto margin =
+      kTurned ? hn::Min(most, hn::Neg(least)) : hn::Max(least, hn::Neg(most));
   const auto decided = Gt(Abs(margin), bound);
   return hn::IfThenElseZero(
       decided, kScaled ? hn::CopySignToAbs(Set(d, T{2}), margin) : margin);

@@ -175,7 +175,7 @@ struct PointsSideBySide {
     static HWY_INLINE Vec<D> Of(D d, const T* pairs, const Margin& margin) {
       Vec<D> x, y;
       hn::LoadInterleaved2(d, pairs, x, y);
-      return kExchanged ? margin(y, x) : margin(x, y);
+      return kExchanged ? margin(y, x, x) : margin(x, y, y);
     }
     template <class D, class Margin>
     HWY_INLINE Vec<D> At(D d, std::size_t i, const Margin& margin) const {

@@ -51,7 +51,7 @@ class BarycentricDeterminant {
     const auto sum = Add(u, v);
     const auto in = Ge(MinOrSecond(u, v), Zero(e));
     if constexpr (kOne) {
-      return AndSumFits(e, in, sum);
+      return AndSumFits<E>(in, sum, size_.In(e));
     } else {
       return AndValidSumFits(e, in, sum);
     }
@@ -122,9 +122,9 @@ class BarycentricDeterminant {
   }
 
   template <class E>
-  HWY_INLINE Mask<E> AndSumFits(E e, Mask<E> in, Vec<E> sum) const {
-    return kBoundary == Boundary::kClosed ? AndLe(in, sum, size_.In(e))
-                                          : AndLt(in, sum, size_.In(e));
+  static HWY_INLINE Mask<E> AndSumFits(Mask<E> in, Vec<E> sum, Vec<E> size) {
+    return kBoundary == Boundary::kClosed ? AndLe(in, sum, size)
+                                          : AndLt(in, sum, size);
   }
 
   // The same, and the triangle is valid; in the lanes `in` no u or v is
@@ -132,15 +132,16 @@ class BarycentricDeterminant {
   template <class E>
   HWY_INLINE Mask<E> AndValidSumFits(E e, Mask<E> in, Vec<E> sum) const {
     const auto area = area_.In(e);
-    if constexpr (kHasFiniteBelowZero<E>) {
-      const auto below_zero = hn::Or(area, Set(e, TFromD<E>{-0.0}));
-      return AndSumFits(e, AndFiniteBelowZero(in, below_zero), sum);
+    const auto size = size_.In(e);
+    if constexpr (kHasFiniteNonZero<E>) {
+      return AndSumFits<E>(AndFiniteNonZero(in, area), sum, size);
     } else {
       // Half-open the area is not 0 if the sum, which is not below 0, is less.
       if constexpr (kBoundary == Boundary::kClosed || kFma) {
         in = And(in, hn::Ne(area, Zero(e)));
       }
-      return AndSumFits(e, in, NaNUnlessFinite(e, sum, area));
+      // What waits for the area alone is known before the sum is.
+      return AndSumFits<E>(in, sum, NaNUnlessFinite(e, size, area));
     }
   }
 

@@ -3,9 +3,10 @@
 //
 //   (v − P) × (w − P) ≥ 0 for each edge vw, counter-clockwise
 //
-// Set-up: B and C exchanged where the triangle is clockwise. Per point: 9
-// subtractions, 6 multiplications, 3 compares; with FMA 6 subtractions, 3
-// multiplications, 3 multiply-subtracts.
+// Set-up: B and C exchanged where one triangle is clockwise, or any with FMA or
+// for top-left; of others the three signs are turned with the answer. Per
+// point: 9 subtractions, 6 multiplications, 3 compares; with FMA 6
+// subtractions, 3 multiplications, 3 multiply-subtracts.
 // Boundary: closed, or top-left: each edge is compared with 0 or with the
 // smallest number above it. Winding: fixed by the set-up. Degenerate: contains
 // nothing.
@@ -95,9 +96,8 @@ class CrossProductCentered {
   template <class E>
   static HWY_INLINE Mask<E> AllNonNegativeOfValid(E e, Vec<E> u, Vec<E> v,
                                                   Vec<E> w, Vec<E> area) {
-    if constexpr (kHasFiniteBelowZero<E>) {
-      return AndFiniteBelowZero(AllNonNegative(e, u, v, w),
-                                hn::Or(area, Set(e, TFromD<E>{-0.0})));
+    if constexpr (kHasFiniteNonZero<E>) {
+      return AndFiniteNonZero(AllNonNegative(e, u, v, w), area);
     } else {
       return And(AllNonNegative(e, u, v, NaNUnlessFinite(e, w, area)),
                  hn::Ne(area, Zero(e)));

@@ -41,7 +41,7 @@ struct Line {
   Number<T> s, c;
 
   HWY_INLINE explicit Line(const typename EdgeLines<T>::Line& line)
-      : s(line.s), c(line.c) {}
+      : s(line.s), c(static_cast<Number<T>>(line.c)) {}
 
   template <class E>
   HWY_INLINE Vec<E> At(E e, Vec<E> x) const {
