@@ -199,6 +199,7 @@ Profile Full() {
             {"uniform:hit=50:bytes=24k:sets=fixed",
              "uniform:hit=10:bytes=24k:sets=fresh",
              "uniform:hit=90:bytes=24k:sets=fresh",
+             "uniform:hit=50:bytes=4M:sets=fresh",
              "uniform:hit=50:bytes=64M:sets=fresh"},
             false);
   AddScenes(full.speed,
