@@ -196,14 +196,14 @@ TEST(OperationsTest, InverseMatrixTakesSixProductsAPointAndNotNine) {
 }
 
 TEST(OperationsTest, ExactTakesThreeMultiplyAddsAPointAsLinesDo) {
-  // Two more take y from the lines and scale it. What an operation for two
-  // vectors keeps tells whether all are decided, which is asked too rarely to
-  // be counted of a point.
+  // Two operations take the lines from y, one the lesser of the two distances,
+  // and one keeps the least of all, which tells whether all are decided. That
+  // is asked too rarely to be counted of a point.
   EXPECT_EQ(PerPoint("edge_slope_fma"),
             (Named{{"multiply_add", 3}, {"min_max", 1}, {"compare", 2}}));
-  EXPECT_EQ(PerPoint("exact"), (Named{{"multiply_add", 3 + 2},
-                                      {"min_max", 2},
-                                      {"logic", 0.5},
+  EXPECT_EQ(PerPoint("exact"), (Named{{"multiply_add", 3},
+                                      {"add", 2},
+                                      {"min_max", 1 + 2},
                                       {"compare", 1}}));
 }
 

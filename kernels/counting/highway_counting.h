@@ -108,6 +108,27 @@ V Max(const V& a, const V& b) {
                    [](T x, T y) { return x > y ? x : y; });
 }
 
+// By the bits of both, as integers: see kernels/loops/filters-inl.h.
+template <class I, class V>
+V ByBits(Code code, const V& a, const V& b, bool greater) {
+  using T = typename V::T;
+  return Binary<V>(Kind::kMinMax, code, a, b, [greater](T x, T y) {
+    I p;
+    I q;
+    std::memcpy(&p, &x, sizeof(p));
+    std::memcpy(&q, &y, sizeof(q));
+    return (p > q) == greater ? x : y;
+  });
+}
+template <class D>
+Vec<D> GreaterAsIntegers(D, const Vec<D>& a, const Vec<D>& b) {
+  return ByBits<MakeSigned<TFromD<D>>>(Code::kGreaterAsIntegers, a, b, true);
+}
+template <class D>
+Vec<D> LesserAsUnsigned(D, const Vec<D>& a, const Vec<D>& b) {
+  return ByBits<MakeUnsigned<TFromD<D>>>(Code::kLesserAsUnsigned, a, b, false);
+}
+
 // --- comparisons ------------------------------------------------------------
 
 #define PITBENCH_COMPARISON(Name, op)                                         \
@@ -173,13 +194,12 @@ V Xor(const V& a, const V& b) {
   return Bitwise(
       Code::kXor, a, b, [](auto x, auto y) { return x ^ y; }, true);
 }
-// a & b & c, one instruction (vpternlogq).
+// The lanes whose sign bit is set.
 template <class V>
-V AndOfThree(const V& a, const V& b, const V& c) {
-  V out = And(a, And(b, c));
-  out.id = Note<typename V::T>(Kind::kLogic, Code::kAndOfThree, V::kLanes, a.id,
-                               b.id, c.id);
-  return out;
+MaskOf<typename V::T, V::kLanes> MaskFromVec(const V& a) {
+  using T = typename V::T;
+  return Unary<MaskOf<T, V::kLanes>>(Kind::kLogic, Code::kSignMask, a,
+                                     [](T x) { return std::signbit(x); });
 }
 // Whether the one bit that b has is in a.
 template <class V>

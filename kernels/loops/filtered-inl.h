@@ -16,28 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-#if defined(PITBENCH_COUNTING)
-using hn::AndOfThree;
-#elif HWY_TARGET == HWY_AVX3
-template <class V>
-HWY_INLINE V AndOfThree(V a, V b, V c) {
-  constexpr int kAnd = 0x80;
-  const hn::RebindToSigned<hn::DFromV<V>> di;
-  const auto bits =
-      _mm512_ternarylogic_epi64(hn::BitCast(di, a).raw, hn::BitCast(di, b).raw,
-                                hn::BitCast(di, c).raw, kAnd);
-  return hn::BitCast(hn::DFromV<V>(), Vec<decltype(di)>{bits});
-}
-#else
-template <class V>
-HWY_INLINE V AndOfThree(V a, V b, V c) {
-  return hn::And(a, hn::And(b, c));
-}
-#endif
-
-// What tells of the margins of a block whether all decide: of_all, which takes
-// two of them at a time, and where a margin may be NaN the watch.
-#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+// What is kept of the margins of a block, two at a time, and tells whether all
+// of them decide.
+#if (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR) || defined(PITBENCH_COUNTING)
 // Turned: the least among unsigned integers, of which negative margins are the
 // largest; of f64 the halves apart, and their least together are no more than
 // the least margin.
@@ -57,34 +38,16 @@ HWY_INLINE Vec<D> WithMargins(D d, Vec<D> so_far, Vec<D> margin0,
   return And(so_far, And(decided(margin0), decided(margin1)));
 #else
   (void)decided_above;
-  const hn::Repartition<std::uint32_t, D> du;
-  const auto least = hn::Min(hn::BitCast(du, so_far), hn::BitCast(du, margin0));
-  return hn::BitCast(d, hn::Min(least, hn::BitCast(du, margin1)));
+  return LesserAsUnsigned(d, LesserAsUnsigned(d, so_far, margin0), margin1);
 #endif
 }
-// NaN where one of the two margins is, whose sign bit would say inside. It may
-// also come of margins that are, or whose product is, infinite; then the block
-// is looked at again.
-template <class V>
-HWY_INLINE V Watch(V so_far, V margin0, V margin1) {
-  if constexpr (HWY_NATIVE_FMA) {
-    return MulAdd(margin0, margin1, so_far);
-  } else {
-    // In a register, or the compiler adds later and stores the margins.
-    return InRegister(Add(Add(so_far, margin0), margin1));
-  }
-}
 template <class D>
-HWY_INLINE bool AllDecided(D d, Vec<D> of_all, Vec<D> watch,
-                           TFromD<D> decided_above) {
-  const auto above = hn::VecFromMask(d, Gt(of_all, Set(d, decided_above)));
-  const auto decided = hn::MaskFromVec(Or(above, of_all));
-  return hn::AllTrue(d, And(decided, Eq(watch, watch)));
+HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
+  return Or(Gt(of_all, Set(d, decided_above)), hn::MaskFromVec(of_all));
 }
 #else
-// Scaled: the and of their bits, which AVX-512 makes of two margins in one
-// instruction; else their least magnitude, where a margin that is NaN is passed
-// over, as it says outside.
+// Scaled: the and of their bits; else their least magnitude, where a margin
+// that is NaN is passed over, as it says outside.
 template <class D>
 HWY_INLINE Vec<D> OfNoMargin(D d) {
   using Limits = std::numeric_limits<TFromD<D>>;
@@ -94,41 +57,65 @@ template <class D>
 HWY_INLINE Vec<D> WithMargins(D, Vec<D> so_far, Vec<D> margin0, Vec<D> margin1,
                               TFromD<D>) {
   if constexpr (kScaled) {
-    return AndOfThree(so_far, margin0, margin1);
+    return And(so_far, And(margin0, margin1));
   } else {
     return hn::Min(Abs(margin1), hn::Min(Abs(margin0), so_far));
   }
 }
-template <class V>
-HWY_INLINE V Watch(V so_far, V, V) {
-  return so_far;
-}
 template <class D>
-HWY_INLINE bool AllDecided(D d, Vec<D> of_all, Vec<D>,
-                           TFromD<D> decided_above) {
+HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
   if constexpr (kScaled) {
     const hn::RebindToSigned<D> di;
     using I = TFromD<decltype(di)>;
     constexpr I kHighestOfExponent = I{1} << (8 * sizeof(I) - 2);
-    return hn::AllTrue(di, hn::TestBit(hn::BitCast(di, of_all),
-                                       hn::Set(di, kHighestOfExponent)));
+    return hn::RebindMask(d, hn::TestBit(hn::BitCast(di, of_all),
+                                         hn::Set(di, kHighestOfExponent)));
   } else {
-    return hn::AllTrue(d, Gt(of_all, Set(d, decided_above)));
+    return Gt(of_all, Set(d, decided_above));
   }
 }
 #endif
 
-// Which lanes are inside, where all margins of a block decide.
+// Which lanes are inside, where all margins of a block decide. Before AVX-512
+// the sign bit says it, which costs nothing; but that of NaN says so as well,
+// which is what the watch is for: NaN where a margin was. (It may also come of
+// margins that are, or whose product is, infinite; then the block is looked at
+// again.) A compare takes +0 for −0, which says inside; but +0 does not decide.
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+inline constexpr bool kWatched = true;
+template <class D>
+HWY_INLINE Mask<D> InsideIfDecided(D, Vec<D> margin, TFromD<D>) {
+  return hn::MaskFromVec(margin);
+}
+#else
+inline constexpr bool kWatched = false;
 template <class D>
 HWY_INLINE Mask<D> InsideIfDecided(D d, Vec<D> margin,
                                    TFromD<D> decided_above) {
-#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
-  (void)d;
-  (void)decided_above;
-  return hn::MaskFromVec(margin);
-#else
-  return Gt(margin, Set(d, decided_above));
+  return kTurned ? Le(margin, Zero(d)) : Gt(margin, Set(d, decided_above));
+}
 #endif
+template <class V>
+HWY_INLINE V Watch(V so_far, V margin0, V margin1) {
+  if constexpr (!kWatched) {
+    return so_far;
+  } else if constexpr (HWY_NATIVE_FMA) {
+    return MulAdd(margin0, margin1, so_far);
+  } else {
+    // In a register, or the compiler adds later and stores the margins.
+    return InRegister(Add(Add(so_far, margin0), margin1));
+  }
+}
+template <bool kMayBeNaN, class D>
+HWY_INLINE bool AllDecided(D d, Vec<D> of_all, Vec<D> watch,
+                           TFromD<D> decided_above) {
+  const auto decided = Decided(d, of_all, decided_above);
+  if constexpr (kWatched && kMayBeNaN) {
+    return hn::AllTrue(d, And(decided, Eq(watch, watch)));
+  } else {
+    (void)watch;
+    return hn::AllTrue(d, decided);
+  }
 }
 
 // Which lanes a margin says are inside and which outside, as bits.
@@ -226,7 +213,8 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> decided_above,
             } else {
               of_all =
                   WithMargins(d, of_all, first_of_two, margin, decided_above);
-              if (kMayBeNaN) watch = Watch(watch, first_of_two, margin);
+              if constexpr (kMayBeNaN)
+                watch = Watch(watch, first_of_two, margin);
             }
             if (lanes >= 8) {
               hn::StoreMaskBits(d, inside, to + i / 8);
@@ -239,7 +227,7 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> decided_above,
         start += block;
         to += block / 8;
       }
-      decided = AllDecided(d, of_all, watch, decided_above);
+      decided = AllDecided<kMayBeNaN>(d, of_all, watch, decided_above);
       if (HWY_UNLIKELY(!decided)) break;
       first = start;
       left -= looked_at;

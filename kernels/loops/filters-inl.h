@@ -2,12 +2,12 @@
 // point for certain and knows where it does not.
 //
 // A filter gives each item a margin: above t it is inside, below −t it is not,
-// and between nothing is decided. On x86 before AVX-512, where one instruction
-// gives the sign bits of a vector, t − margin takes its place (kTurned): its
-// sign bit says inside, above 2t is outside, and as unsigned integers nothing
-// is less than what is undecided. Elsewhere, if there are fused multiply-adds,
-// margins are multiplied by a power of two that makes t at least 1 and less
-// than 2: what is decided, from ±2 on, has the highest bit of its exponent set
+// and between nothing is decided. On x86, which compares integers without sign
+// as fast as numbers, t − margin takes its place (kTurned): its sign bit says
+// inside, above 2t is outside, and as integers without sign nothing is less
+// than what is undecided. Elsewhere, if there are fused multiply-adds, margins
+// are multiplied by a power of two that makes t at least 1 and less than 2:
+// what is decided, from ±2 on, has the highest bit of its exponent set
 // (kScaled).
 //
 // Two filters are static: a bound on the error of what is computed for a point,
@@ -30,7 +30,7 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+#if (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR) || defined(PITBENCH_COUNTING)
 inline constexpr bool kTurned = true;
 #else
 inline constexpr bool kTurned = false;
@@ -38,10 +38,28 @@ inline constexpr bool kTurned = false;
 
 inline constexpr bool kScaled = HWY_NATIVE_FMA && !kTurned;
 
-// Whether turned margins are compared as integers of 32 bits, which takes an
-// instruction that no addition waits for. Of f64 that tells the upper halves
-// apart, with the sign, and the lower ones become either's.
+// Whether turned margins are compared as integers, which takes an instruction
+// that no addition waits for.
 inline constexpr bool kByIntegers = kTurned && HWY_TARGET != HWY_SSSE3;
+
+// The greater of both as signed integers of 32 bits, the lesser of both as
+// unsigned ones; of f64 the halves apart. The upper ones tell a sign from the
+// other and a number from one that is 2^-20 of it away.
+#if defined(PITBENCH_COUNTING)
+using hn::GreaterAsIntegers;
+using hn::LesserAsUnsigned;
+#else
+template <class D>
+HWY_INLINE Vec<D> GreaterAsIntegers(D d, Vec<D> a, Vec<D> b) {
+  const hn::Repartition<std::int32_t, D> di;
+  return hn::BitCast(d, hn::Max(hn::BitCast(di, a), hn::BitCast(di, b)));
+}
+template <class D>
+HWY_INLINE Vec<D> LesserAsUnsigned(D d, Vec<D> a, Vec<D> b) {
+  const hn::Repartition<std::uint32_t, D> du;
+  return hn::BitCast(d, hn::Min(hn::BitCast(du, a), hn::BitCast(du, b)));
+}
+#endif
 
 // Above it a margin decides: inside, or outside if it is turned or below the
 // negative of it; where a filter has this t.
@@ -52,7 +70,7 @@ HWY_INLINE T DecidedAbove(Number<T> t) {
     return kBelowTwo;
   } else if constexpr (kByIntegers && sizeof(T) == 8) {
     // The largest that has this upper half.
-    const T twice = 2 * t;
+    const T twice = static_cast<T>(2 * t);
     std::uint64_t bits;
     std::memcpy(&bits, &twice, sizeof(bits));
     bits |= 0xFFFFFFFF;
@@ -70,8 +88,7 @@ HWY_INLINE T DecidedAbove(Number<T> t) {
 template <class D>
 HWY_INLINE Vec<D> LesserOrSecond(D d, Vec<D> a, Vec<D> b) {
   if constexpr (kByIntegers) {
-    const hn::Repartition<std::int32_t, D> di;
-    return hn::BitCast(d, hn::Max(hn::BitCast(di, a), hn::BitCast(di, b)));
+    return GreaterAsIntegers(d, a, b);
   } else {
     (void)d;
     return kTurned ? MaxOrSecond(a, b) : MinOrSecond(a, b);

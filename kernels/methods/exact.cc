@@ -5,13 +5,15 @@
 //   upper ones: inside; beyond one of them by more than t: outside;
 //   between, the signs of three determinants, exactly
 //
-// Set-up: three lines and the bound t. Per point: 3 MulAdd and 2 that without
-// FMA are subtractions, 1 Max, 1 Min, 1 compare, and one operation (of AVX-512
-// half of one) that asks whether all of a block are decided. The three in 10^6
-// or so uniform f32 points that are not cost 3 determinants in double
-// precision, and, where these cannot tell either, in integers of as many bits
-// as the exponents need. Where a line would be too steep for a small t, lines
-// over y or edge functions take the place of lines over x.
+// Set-up: three lines and the bound t. Per point: 3 MulAdd, 2 subtractions, 2
+// Max or Min, and what tells whether all of a thousand points or two are
+// decided: the least of them; on AVX-512 a compare as well, before it a
+// multiply-add for two vectors. (Arm: 5 MulAdd, 2 Max or Min, And, compare.)
+// The three in 10^6 or so uniform f32 points that are not decided cost 3
+// determinants in double precision, and, where these cannot tell either, in
+// integers of as many bits as the exponents need; those around them are looked
+// at again. Where a line would be too steep for a small t, lines over y or edge
+// functions take the place of lines over x.
 // Boundary: closed (exact), open (exact_open) or top-left (exact_top_left):
 // with that every point of a mesh is in exactly one triangle. Winding: any.
 // Degenerate: contains nothing. Fails: never. Slowest where all points are
