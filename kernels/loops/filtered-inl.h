@@ -172,6 +172,38 @@ static HWY_NOINLINE void Decide(D d, std::size_t first, std::size_t end,
   }
 }
 
+// Writes what the margins of the block of items from `start` on say, and keeps
+// in of_all and watch whether they decide.
+template <bool kMayBeNaN, class D, class MarginAt>
+HWY_INLINE void WriteFilteredBlock(D d, std::size_t start,
+                                   TFromD<D> decided_above, std::uint8_t* to,
+                                   const MarginAt& margin_at, Vec<D>& of_all,
+                                   Vec<D>& watch) {
+  const std::size_t lanes = hn::Lanes(d);
+  const std::size_t step = HWY_MAX(lanes, std::size_t{8});
+  auto first_of_two = watch;
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < 8 * step; i += step) {
+    std::uint64_t byte = 0;
+    for (std::size_t j = 0; j < step; j += lanes) {
+      const auto margin = margin_at(start + i + j);
+      const auto inside = InsideIfDecided(d, margin, decided_above);
+      if ((i + j) / lanes % 2 == 0) {
+        first_of_two = margin;
+      } else {
+        of_all = WithMargins(d, of_all, first_of_two, margin, decided_above);
+        if constexpr (kMayBeNaN) watch = Watch(watch, first_of_two, margin);
+      }
+      if (lanes >= 8) {
+        hn::StoreMaskBits(d, inside, to + i / 8);
+      } else {
+        byte |= MaskBits(d, inside) << j;
+      }
+    }
+    if (lanes < 8) to[i / 8] = static_cast<std::uint8_t>(byte);
+  }
+}
+
 // Writes n answers. margin_at(i) gives the margins of the items from i on, all
 // of which exist; tail_at(i, count) those of the last count < Lanes(d) items.
 // Where they do not decide, contains(i) answers for one item exactly.
@@ -180,9 +212,7 @@ template <bool kMayBeNaN, class D, class MarginAt, class TailAt, class Contains>
 HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> decided_above,
                               std::uint8_t* bits, const MarginAt& margin_at,
                               const TailAt& tail_at, const Contains& contains) {
-  const std::size_t lanes = hn::Lanes(d);
-  const std::size_t step = HWY_MAX(lanes, std::size_t{8});
-  const std::size_t block = 8 * step;
+  const std::size_t block = 8 * HWY_MAX(hn::Lanes(d), std::size_t{8});
   // So many blocks share one look at whether all items are decided, which takes
   // as long as one vector or two. Where they are not, each of them is looked at
   // by itself.
@@ -201,29 +231,8 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> decided_above,
       std::size_t start = first;
       std::uint8_t* to = bits + first / 8;
       for (std::size_t k = looked_at; k != 0; --k) {
-        auto first_of_two = watch;
-#pragma GCC unroll 8
-        for (std::size_t i = 0; i < block; i += step) {
-          std::uint64_t byte = 0;
-          for (std::size_t j = 0; j < step; j += lanes) {
-            const auto margin = margin_at(start + i + j);
-            const auto inside = InsideIfDecided(d, margin, decided_above);
-            if ((i + j) / lanes % 2 == 0) {
-              first_of_two = margin;
-            } else {
-              of_all =
-                  WithMargins(d, of_all, first_of_two, margin, decided_above);
-              if constexpr (kMayBeNaN)
-                watch = Watch(watch, first_of_two, margin);
-            }
-            if (lanes >= 8) {
-              hn::StoreMaskBits(d, inside, to + i / 8);
-            } else {
-              byte |= MaskBits(d, inside) << j;
-            }
-          }
-          if (lanes < 8) to[i / 8] = static_cast<std::uint8_t>(byte);
-        }
+        WriteFilteredBlock<kMayBeNaN>(d, start, decided_above, to, margin_at,
+                                      of_all, watch);
         start += block;
         to += block / 8;
       }

@@ -114,10 +114,6 @@ template <class T, class Wide>
 HWY_INLINE Number<T> MarginScale(Wide bound) {
   if constexpr (!kScaled) {
     return 1;
-  } else if constexpr (!std::is_same_v<Wide, double>) {
-    // Counted: the power alone.
-    const double wide = static_cast<double>(bound);
-    return static_cast<T>(std::ldexp(1.0, -std::ilogb(wide)));
   } else {
     constexpr bool kFloat = std::is_same_v<T, float>;
     constexpr std::uint64_t kBiases = 1023 + (kFloat ? 127 : 1023);
