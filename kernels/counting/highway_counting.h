@@ -108,7 +108,7 @@ V Max(const V& a, const V& b) {
                    [](T x, T y) { return x > y ? x : y; });
 }
 
-// By the bits of both, as integers: see kernels/loops/filters-inl.h.
+// By the bits of both, as integers: see kernels/loops/margins-inl.h.
 template <class I, class V>
 V ByBits(Code code, const V& a, const V& b, bool greater) {
   using T = typename V::T;

@@ -1,6 +1,6 @@
 // The loops of the exact methods: a filter decides nearly every point, and the
-// few that it cannot decide go to exact arithmetic. What a margin is, and why
-// it can be trusted, is in filters-inl.h.
+// few that it cannot decide go to exact arithmetic. What a margin is, is in
+// margins-inl.h, and why it can be trusted in filters-inl.h.
 #if defined(PITBENCH_KERNELS_LOOPS_FILTERED_INL_H_) == \
     defined(HWY_TARGET_TOGGLE)
 #ifdef PITBENCH_KERNELS_LOOPS_FILTERED_INL_H_
@@ -15,124 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
-
-// What is kept of the margins of a block, two at a time, and tells whether all
-// of them decide.
-#if (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR) || defined(PITBENCH_COUNTING)
-// Turned: the least among unsigned integers, of which negative margins are the
-// largest; of f64 the halves apart, and their least together are no more than
-// the least margin.
-template <class D>
-HWY_INLINE Vec<D> OfNoMargin(D d) {
-  const hn::RebindToSigned<D> di;
-  return hn::BitCast(d, hn::Set(di, -1));
-}
-template <class D>
-HWY_INLINE Vec<D> WithMargins(D d, Vec<D> so_far, Vec<D> margin0,
-                              Vec<D> margin1, TFromD<D> decided_above) {
-#if HWY_TARGET == HWY_SSSE3  // has no such minimum: the signs of the decided
-  const auto above = Set(d, decided_above);
-  const auto decided = [&](Vec<D> margin) HWY_ATTR {
-    return Or(margin, hn::VecFromMask(d, Gt(margin, above)));
-  };
-  return And(so_far, And(decided(margin0), decided(margin1)));
-#else
-  (void)decided_above;
-  return LesserAsUnsigned(d, LesserAsUnsigned(d, so_far, margin0), margin1);
-#endif
-}
-template <class D>
-HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
-  return Or(Gt(of_all, Set(d, decided_above)), hn::MaskFromVec(of_all));
-}
-#else
-// Scaled: the and of their bits; else their least magnitude, where a margin
-// that is NaN is passed over, as it says outside.
-template <class D>
-HWY_INLINE Vec<D> OfNoMargin(D d) {
-  using Limits = std::numeric_limits<TFromD<D>>;
-  return Set(d, kScaled ? Limits::infinity() : Limits::max());
-}
-template <class D>
-HWY_INLINE Vec<D> WithMargins(D, Vec<D> so_far, Vec<D> margin0, Vec<D> margin1,
-                              TFromD<D>) {
-  if constexpr (kScaled) {
-    return And(so_far, And(margin0, margin1));
-  } else {
-    return hn::Min(Abs(margin1), hn::Min(Abs(margin0), so_far));
-  }
-}
-template <class D>
-HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
-  if constexpr (kScaled) {
-    const hn::RebindToSigned<D> di;
-    using I = TFromD<decltype(di)>;
-    constexpr I kHighestOfExponent = I{1} << (8 * sizeof(I) - 2);
-    return hn::RebindMask(d, hn::TestBit(hn::BitCast(di, of_all),
-                                         hn::Set(di, kHighestOfExponent)));
-  } else {
-    return Gt(of_all, Set(d, decided_above));
-  }
-}
-#endif
-
-// Which lanes are inside, where all margins of a block decide. Before AVX-512
-// the sign bit says it, which costs nothing; but that of NaN says so as well,
-// which is what the watch is for: NaN where a margin was. (It may also come of
-// margins that are, or whose product is, infinite; then the block is looked at
-// again.) A compare takes +0 for −0, which says inside; but +0 does not decide.
-#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
-inline constexpr bool kWatched = true;
-template <class D>
-HWY_INLINE Mask<D> InsideIfDecided(D, Vec<D> margin, TFromD<D>) {
-  return hn::MaskFromVec(margin);
-}
-#else
-inline constexpr bool kWatched = false;
-template <class D>
-HWY_INLINE Mask<D> InsideIfDecided(D d, Vec<D> margin,
-                                   TFromD<D> decided_above) {
-  return kTurned ? Le(margin, Zero(d)) : Gt(margin, Set(d, decided_above));
-}
-#endif
-template <class V>
-HWY_INLINE V Watch(V so_far, V margin0, V margin1) {
-  if constexpr (!kWatched) {
-    return so_far;
-  } else if constexpr (HWY_NATIVE_FMA) {
-    return MulAdd(margin0, margin1, so_far);
-  } else {
-    // In a register, or the compiler adds later and stores the margins.
-    return InRegister(Add(Add(so_far, margin0), margin1));
-  }
-}
-template <bool kMayBeNaN, class D>
-HWY_INLINE bool AllDecided(D d, Vec<D> of_all, Vec<D> watch,
-                           TFromD<D> decided_above) {
-  const auto decided = Decided(d, of_all, decided_above);
-  if constexpr (kWatched && kMayBeNaN) {
-    return hn::AllTrue(d, And(decided, Eq(watch, watch)));
-  } else {
-    (void)watch;
-    return hn::AllTrue(d, decided);
-  }
-}
-
-// Which lanes a margin says are inside and which outside, as bits.
-struct Verdict {
-  std::uint64_t inside, outside;
-};
-template <class D>
-HWY_INLINE Verdict VerdictOf(D d, Vec<D> margin, TFromD<D> decided_above) {
-  const auto threshold = Set(d, decided_above);
-  if constexpr (kTurned) {
-    return {MaskBits(d, Lt(margin, Zero(d))),
-            MaskBits(d, Gt(margin, threshold))};
-  } else {
-    return {MaskBits(d, Gt(margin, threshold)),
-            MaskBits(d, Lt(margin, hn::Neg(threshold)))};
-  }
-}
 
 // Answers for items `first` to `end`, of which those that their margin leaves
 // undecided are answered by contains(i). `first` is a multiple of 8; bits past

@@ -1,14 +1,8 @@
 // Filters of the exact methods: float arithmetic that decides nearly every
 // point for certain and knows where it does not.
 //
-// A filter gives each item a margin: above t it is inside, below −t it is not,
-// and between nothing is decided. On x86, which compares integers without sign
-// as fast as numbers, t − margin takes its place (kTurned): its sign bit says
-// inside, above 2t is outside, and as integers without sign nothing is less
-// than what is undecided. Elsewhere, if there are fused multiply-adds, margins
-// are multiplied by a power of two that makes t at least 1 and less than 2:
-// what is decided, from ±2 on, has the highest bit of its exponent set
-// (kScaled).
+// What a filter gives of a point, and how it says inside, outside or undecided,
+// is in margins-inl.h.
 //
 // Two filters are static: a bound on the error of what is computed for a point,
 // known once for a triangle and good for every finite point, so that a point
@@ -25,111 +19,11 @@
 #endif
 
 #include "kernels/edge_lines-inl.h"
+#include "kernels/loops/margins-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
-
-#if (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR) || defined(PITBENCH_COUNTING)
-inline constexpr bool kTurned = true;
-#else
-inline constexpr bool kTurned = false;
-#endif
-
-inline constexpr bool kScaled = HWY_NATIVE_FMA && !kTurned;
-
-// Whether turned margins are compared as integers, which takes an instruction
-// that no addition waits for.
-inline constexpr bool kByIntegers = kTurned && HWY_TARGET != HWY_SSSE3;
-
-// The greater of both as signed integers of 32 bits, the lesser of both as
-// unsigned ones; of f64 the halves apart. The upper ones tell a sign from the
-// other and a number from one that is 2^-20 of it away.
-#if defined(PITBENCH_COUNTING)
-using hn::GreaterAsIntegers;
-using hn::LesserAsUnsigned;
-#else
-template <class D>
-HWY_INLINE Vec<D> GreaterAsIntegers(D d, Vec<D> a, Vec<D> b) {
-  const hn::Repartition<std::int32_t, D> di;
-  return hn::BitCast(d, hn::Max(hn::BitCast(di, a), hn::BitCast(di, b)));
-}
-template <class D>
-HWY_INLINE Vec<D> LesserAsUnsigned(D d, Vec<D> a, Vec<D> b) {
-  const hn::Repartition<std::uint32_t, D> du;
-  return hn::BitCast(d, hn::Min(hn::BitCast(du, a), hn::BitCast(du, b)));
-}
-#endif
-
-// Above it a margin decides: inside, or outside if it is turned or below the
-// negative of it; where a filter has this t.
-template <class T>
-HWY_INLINE T DecidedAbove(Number<T> t) {
-  constexpr T kBelowTwo = 2 - std::numeric_limits<T>::epsilon();
-  if constexpr (kScaled) {
-    return kBelowTwo;
-  } else if constexpr (kByIntegers && sizeof(T) == 8) {
-    // The largest that has this upper half.
-    const T twice = static_cast<T>(2 * t);
-    std::uint64_t bits;
-    std::memcpy(&bits, &twice, sizeof(bits));
-    bits |= 0xFFFFFFFF;
-    T largest;
-    std::memcpy(&largest, &bits, sizeof(bits));
-    return largest;
-  } else {
-    return static_cast<T>(kTurned ? 2 * t : t);
-  }
-}
-
-// The lesser of two margins; turned, the greater. NaN is the result where b is,
-// and by integers where a is, unless the other says outside; of two NaN it may
-// be either.
-template <class D>
-HWY_INLINE Vec<D> LesserOrSecond(D d, Vec<D> a, Vec<D> b) {
-  if constexpr (kByIntegers) {
-    return GreaterAsIntegers(d, a, b);
-  } else {
-    (void)d;
-    return kTurned ? MaxOrSecond(a, b) : MinOrSecond(a, b);
-  }
-}
-
-// The same where it does not matter what comes of NaN.
-template <class D>
-HWY_INLINE Vec<D> Lesser(D d, Vec<D> a, Vec<D> b) {
-  if constexpr (kByIntegers) {
-    return LesserOrSecond(d, a, b);
-  } else {
-    (void)d;
-    return kTurned ? hn::Max(a, b) : hn::Min(a, b);
-  }
-}
-
-// The power of two that margins are multiplied by, where t is bound rounded to
-// T: its exponent is that of bound with the opposite sign. Where bound is as
-// large as T's largest numbers it is 0, or no number. In a vector's integers,
-// since the set-up waits for it.
-template <class T, class Wide>
-HWY_INLINE Number<T> MarginScale(Wide bound) {
-  if constexpr (!kScaled) {
-    return 1;
-  } else {
-    constexpr bool kFloat = std::is_same_v<T, float>;
-    constexpr std::uint64_t kBiases = 1023 + (kFloat ? 127 : 1023);
-    const hn::CappedTag<Wide, 1> dw;
-    const hn::RebindToUnsigned<decltype(dw)> du;
-    const auto exponent = hn::And(hn::BitCast(du, hn::Set(dw, bound)),
-                                  hn::Set(du, std::uint64_t{0x7FF} << 52));
-    const auto scale = hn::Sub(hn::Set(du, kBiases << 52), exponent);
-    if constexpr (kFloat) {
-      const hn::Repartition<float, decltype(dw)> df;
-      return hn::GetLane(hn::BitCast(df, hn::ShiftRight<52 - 23>(scale)));
-    } else {
-      return hn::GetLane(hn::BitCast(dw, scale));
-    }
-  }
-}
 
 // The edge functions of one triangle, turned so that they are positive inside,
 // and a bound on their errors.

@@ -1,0 +1,250 @@
+// Margins: what a filter of an exact method gives of an item, so that it is
+// told inside or outside for certain, or not decided.
+//
+// A filter gives each item a margin: above t it is inside, below −t it is not,
+// and between nothing is decided. On x86, which compares integers without sign
+// as fast as numbers, t − margin takes its place (kTurned): its sign bit says
+// inside, above 2t is outside, and as integers without sign nothing is less
+// than what is undecided. Elsewhere, if there are fused multiply-adds, margins
+// are multiplied by a power of two that makes t at least 1 and less than 2:
+// what is decided, from ±2 on, has the highest bit of its exponent set
+// (kScaled).
+#if defined(PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_
+#undef PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_
+#else
+#define PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_
+#endif
+
+#include <cstring>
+
+#include "kernels/loops/bits-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace pitbench {
+namespace PITBENCH_ISA {
+
+#if (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR) || defined(PITBENCH_COUNTING)
+inline constexpr bool kTurned = true;
+#else
+inline constexpr bool kTurned = false;
+#endif
+
+inline constexpr bool kScaled = HWY_NATIVE_FMA && !kTurned;
+
+// Whether turned margins are compared as integers, which takes an instruction
+// that no addition waits for.
+inline constexpr bool kByIntegers = kTurned && HWY_TARGET != HWY_SSSE3;
+
+// The greater of both as signed integers of 32 bits, the lesser of both as
+// unsigned ones; of f64 the halves apart. The upper ones tell a sign from the
+// other and a number from one that is 2^-20 of it away.
+#if defined(PITBENCH_COUNTING)
+using hn::GreaterAsIntegers;
+using hn::LesserAsUnsigned;
+#else
+template <class D>
+HWY_INLINE Vec<D> GreaterAsIntegers(D d, Vec<D> a, Vec<D> b) {
+  const hn::Repartition<std::int32_t, D> di;
+  return hn::BitCast(d, hn::Max(hn::BitCast(di, a), hn::BitCast(di, b)));
+}
+template <class D>
+HWY_INLINE Vec<D> LesserAsUnsigned(D d, Vec<D> a, Vec<D> b) {
+  const hn::Repartition<std::uint32_t, D> du;
+  return hn::BitCast(d, hn::Min(hn::BitCast(du, a), hn::BitCast(du, b)));
+}
+#endif
+
+// Above it a margin decides: inside, or outside if it is turned or below the
+// negative of it; where a filter has this t.
+template <class T>
+HWY_INLINE T DecidedAbove(Number<T> t) {
+  constexpr T kBelowTwo = 2 - std::numeric_limits<T>::epsilon();
+  if constexpr (kScaled) {
+    return kBelowTwo;
+  } else if constexpr (kByIntegers && sizeof(T) == 8) {
+    // The largest that has this upper half.
+    const T twice = static_cast<T>(2 * t);
+    std::uint64_t bits;
+    std::memcpy(&bits, &twice, sizeof(bits));
+    bits |= 0xFFFFFFFF;
+    T largest;
+    std::memcpy(&largest, &bits, sizeof(bits));
+    return largest;
+  } else {
+    return static_cast<T>(kTurned ? 2 * t : t);
+  }
+}
+
+// The lesser of two margins; turned, the greater. NaN is the result where b is,
+// and by integers where a is, unless the other says outside; of two NaN it may
+// be either.
+template <class D>
+HWY_INLINE Vec<D> LesserOrSecond(D d, Vec<D> a, Vec<D> b) {
+  if constexpr (kByIntegers) {
+    return GreaterAsIntegers(d, a, b);
+  } else {
+    (void)d;
+    return kTurned ? MaxOrSecond(a, b) : MinOrSecond(a, b);
+  }
+}
+
+// The same where it does not matter what comes of NaN.
+template <class D>
+HWY_INLINE Vec<D> Lesser(D d, Vec<D> a, Vec<D> b) {
+  if constexpr (kByIntegers) {
+    return LesserOrSecond(d, a, b);
+  } else {
+    (void)d;
+    return kTurned ? hn::Max(a, b) : hn::Min(a, b);
+  }
+}
+
+// The power of two that margins are multiplied by, where t is bound rounded to
+// T: its exponent is that of bound with the opposite sign. Where bound is as
+// large as T's largest numbers it is 0, or no number. In a vector's integers,
+// since the set-up waits for it.
+template <class T, class Wide>
+HWY_INLINE Number<T> MarginScale(Wide bound) {
+  if constexpr (!kScaled) {
+    return 1;
+  } else {
+    constexpr bool kFloat = std::is_same_v<T, float>;
+    constexpr std::uint64_t kBiases = 1023 + (kFloat ? 127 : 1023);
+    const hn::CappedTag<Wide, 1> dw;
+    const hn::RebindToUnsigned<decltype(dw)> du;
+    const auto exponent = hn::And(hn::BitCast(du, hn::Set(dw, bound)),
+                                  hn::Set(du, std::uint64_t{0x7FF} << 52));
+    const auto scale = hn::Sub(hn::Set(du, kBiases << 52), exponent);
+    if constexpr (kFloat) {
+      const hn::Repartition<float, decltype(dw)> df;
+      return hn::GetLane(hn::BitCast(df, hn::ShiftRight<52 - 23>(scale)));
+    } else {
+      return hn::GetLane(hn::BitCast(dw, scale));
+    }
+  }
+}
+
+// What is kept of the margins of a block, two at a time, and tells whether all
+// of them decide.
+#if (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR) || defined(PITBENCH_COUNTING)
+// Turned: the least among unsigned integers, of which negative margins are the
+// largest; of f64 the halves apart, and their least together are no more than
+// the least margin.
+template <class D>
+HWY_INLINE Vec<D> OfNoMargin(D d) {
+  const hn::RebindToSigned<D> di;
+  return hn::BitCast(d, hn::Set(di, -1));
+}
+template <class D>
+HWY_INLINE Vec<D> WithMargins(D d, Vec<D> so_far, Vec<D> margin0,
+                              Vec<D> margin1, TFromD<D> decided_above) {
+#if HWY_TARGET == HWY_SSSE3  // has no such minimum: the signs of the decided
+  const auto above = Set(d, decided_above);
+  const auto decided = [&](Vec<D> margin) HWY_ATTR {
+    return Or(margin, hn::VecFromMask(d, Gt(margin, above)));
+  };
+  return And(so_far, And(decided(margin0), decided(margin1)));
+#else
+  (void)decided_above;
+  return LesserAsUnsigned(d, LesserAsUnsigned(d, so_far, margin0), margin1);
+#endif
+}
+template <class D>
+HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
+  return Or(Gt(of_all, Set(d, decided_above)), hn::MaskFromVec(of_all));
+}
+#else
+// Scaled: the and of their bits; else their least magnitude, where a margin
+// that is NaN is passed over, as it says outside.
+template <class D>
+HWY_INLINE Vec<D> OfNoMargin(D d) {
+  using Limits = std::numeric_limits<TFromD<D>>;
+  return Set(d, kScaled ? Limits::infinity() : Limits::max());
+}
+template <class D>
+HWY_INLINE Vec<D> WithMargins(D, Vec<D> so_far, Vec<D> margin0, Vec<D> margin1,
+                              TFromD<D>) {
+  if constexpr (kScaled) {
+    return And(so_far, And(margin0, margin1));
+  } else {
+    return hn::Min(Abs(margin1), hn::Min(Abs(margin0), so_far));
+  }
+}
+template <class D>
+HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
+  if constexpr (kScaled) {
+    const hn::RebindToSigned<D> di;
+    using I = TFromD<decltype(di)>;
+    constexpr I kHighestOfExponent = I{1} << (8 * sizeof(I) - 2);
+    return hn::RebindMask(d, hn::TestBit(hn::BitCast(di, of_all),
+                                         hn::Set(di, kHighestOfExponent)));
+  } else {
+    return Gt(of_all, Set(d, decided_above));
+  }
+}
+#endif
+
+// Which lanes are inside, where all margins of a block decide. Before AVX-512
+// the sign bit says it, which costs nothing; but that of NaN says so as well,
+// which is what the watch is for: NaN where a margin was. (It may also come of
+// margins that are, or whose product is, infinite; then the block is looked at
+// again.) A compare takes +0 for −0, which says inside; but +0 does not decide.
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+inline constexpr bool kWatched = true;
+template <class D>
+HWY_INLINE Mask<D> InsideIfDecided(D, Vec<D> margin, TFromD<D>) {
+  return hn::MaskFromVec(margin);
+}
+#else
+inline constexpr bool kWatched = false;
+template <class D>
+HWY_INLINE Mask<D> InsideIfDecided(D d, Vec<D> margin,
+                                   TFromD<D> decided_above) {
+  return kTurned ? Le(margin, Zero(d)) : Gt(margin, Set(d, decided_above));
+}
+#endif
+template <class V>
+HWY_INLINE V Watch(V so_far, V margin0, V margin1) {
+  if constexpr (!kWatched) {
+    return so_far;
+  } else if constexpr (HWY_NATIVE_FMA) {
+    return MulAdd(margin0, margin1, so_far);
+  } else {
+    // In a register, or the compiler adds later and stores the margins.
+    return InRegister(Add(Add(so_far, margin0), margin1));
+  }
+}
+template <bool kMayBeNaN, class D>
+HWY_INLINE bool AllDecided(D d, Vec<D> of_all, Vec<D> watch,
+                           TFromD<D> decided_above) {
+  const auto decided = Decided(d, of_all, decided_above);
+  if constexpr (kWatched && kMayBeNaN) {
+    return hn::AllTrue(d, And(decided, Eq(watch, watch)));
+  } else {
+    (void)watch;
+    return hn::AllTrue(d, decided);
+  }
+}
+
+// Which lanes a margin says are inside and which outside, as bits.
+struct Verdict {
+  std::uint64_t inside, outside;
+};
+template <class D>
+HWY_INLINE Verdict VerdictOf(D d, Vec<D> margin, TFromD<D> decided_above) {
+  const auto threshold = Set(d, decided_above);
+  if constexpr (kTurned) {
+    return {MaskBits(d, Lt(margin, Zero(d))),
+            MaskBits(d, Gt(margin, threshold))};
+  } else {
+    return {MaskBits(d, Gt(margin, threshold)),
+            MaskBits(d, Lt(margin, hn::Neg(threshold)))};
+  }
+}
+
+}  // namespace PITBENCH_ISA
+}  // namespace pitbench
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard that Highway toggles
