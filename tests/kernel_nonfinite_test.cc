@@ -71,6 +71,39 @@ TEST_P(KernelNonfiniteTest, PointWithNanOrInfinityIsOutside) {
   });
 }
 
+// Among so many finite points that a loop answers many together: what tells
+// whether all of them are decided must not pass over one that is not a number,
+// whichever sign its NaN has.
+TEST_P(KernelNonfiniteTest, OnePointAmongManyIsOutside) {
+  WithFloatOf(*GetParam(), [&]<class T>(T) {
+    constexpr std::size_t kMany = 2500;
+    constexpr std::size_t kApart = 311;
+    const std::vector<Triangle<T>> triangles = {
+        {{0, 0}, {4, 1}, {1, 4}},   // two edges below, one above
+        {{0, 1}, {3, 0}, {4, 4}},   // one below, two above
+        {{1, 4}, {4, 1}, {0, 0}},   // clockwise
+        {{0, 0}, {4, 0}, {0, 4}},   // with a vertical edge
+        {{0, 0}, {4, 4}, {4, 5}}};  // on the right
+    std::vector<T> values(std::begin(kNotFinite<T>), std::end(kNotFinite<T>));
+    values.push_back(-std::numeric_limits<T>::quiet_NaN());
+    std::vector<Point<T>> points(kMany, {1.5, 1.5});
+    std::vector<std::size_t> places;
+    for (const T value : values) {
+      for (const Point<T> point : {Point<T>{value, 1.5}, Point<T>{1.5, value},
+                                   Point<T>{value, value}}) {
+        places.push_back(places.size() * kApart % kMany);
+        points[places.back()] = point;
+      }
+    }
+    const AnswerTable<T> table = AskAll(*GetParam(), triangles, points);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      for (const std::size_t p : places) {
+        ASSERT_FALSE(table.Inside(t, p)) << points[p] << " in " << triangles[t];
+      }
+    }
+  });
+}
+
 // One coordinate of every fifth triangle, and every pair of the coordinates of
 // every third of the smallest ones.
 TEST_P(KernelNonfiniteTest, TriangleWithNanOrInfinityContainsNothing) {
