@@ -92,12 +92,7 @@ HWY_INLINE Vec<D> LesserOrSecond(D d, Vec<D> a, Vec<D> b) {
 // The same where it does not matter what comes of NaN.
 template <class D>
 HWY_INLINE Vec<D> Lesser(D d, Vec<D> a, Vec<D> b) {
-  if constexpr (kByIntegers) {
-    return LesserOrSecond(d, a, b);
-  } else {
-    (void)d;
-    return kTurned ? hn::Max(a, b) : hn::Min(a, b);
-  }
+  return kTurned ? LesserOrSecond(d, a, b) : hn::Min(a, b);
 }
 
 // The power of two that margins are multiplied by, where t is bound rounded to

@@ -9,7 +9,7 @@
 // Max or Min, and what tells whether all of a thousand points or two are
 // decided: the least of them; on AVX-512 a compare as well, before it a
 // multiply-add for two vectors. (Arm: 5 MulAdd, 2 Max or Min, And, compare.)
-// The three in 10^6 or so uniform f32 points that are not decided cost 3
+// The two or three in 10^6 uniform f32 points that are not decided cost 3
 // determinants in double precision, and, where these cannot tell either, in
 // integers of as many bits as the exponents need; those around them are looked
 // at again. Where a line would be too steep for a small t, lines over y or edge
