@@ -73,7 +73,7 @@ HWY_INLINE void WriteFilteredBlock(D d, std::size_t start,
       if ((i + j) / lanes % 2 == 0) {
         first_of_two = margin;
       } else {
-        of_all = WithMargins(d, of_all, first_of_two, margin, decided_above);
+        of_all = WithMargins(d, of_all, first_of_two, margin);
         if constexpr (kMayBeNaN) watch = Watch(watch, first_of_two, margin);
       }
       if (lanes >= 8) {

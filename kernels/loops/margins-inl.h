@@ -2,13 +2,13 @@
 // told inside or outside for certain, or not decided.
 //
 // A filter gives each item a margin: above t it is inside, below −t it is not,
-// and between nothing is decided. On x86, which compares integers without sign
-// as fast as numbers, t − margin takes its place (kTurned): its sign bit says
-// inside, above 2t is outside, and as integers without sign nothing is less
-// than what is undecided. Elsewhere, if there are fused multiply-adds, margins
-// are multiplied by a power of two that makes t at least 1 and less than 2:
-// what is decided, from ±2 on, has the highest bit of its exponent set
-// (kScaled).
+// and between nothing is decided. On x86 from SSE4 on, which compares integers
+// without sign as fast as numbers, t − margin takes its place (kTurned): its
+// sign bit says inside, above 2t is outside, and as integers without sign
+// nothing is less than what is undecided. Elsewhere, if there are fused
+// multiply-adds, margins are multiplied by a power of two that makes t at least
+// 1 and less than 2: what is decided, from ±2 on, has the highest bit of its
+// exponent set (kScaled).
 #if defined(PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_
 #undef PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_
@@ -24,17 +24,14 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-#if (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR) || defined(PITBENCH_COUNTING)
+#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || \
+    HWY_TARGET == HWY_AVX3 || defined(PITBENCH_COUNTING)
 inline constexpr bool kTurned = true;
 #else
 inline constexpr bool kTurned = false;
 #endif
 
 inline constexpr bool kScaled = HWY_NATIVE_FMA && !kTurned;
-
-// Whether turned margins are compared as integers, which takes an instruction
-// that no addition waits for.
-inline constexpr bool kByIntegers = kTurned && HWY_TARGET != HWY_SSSE3;
 
 // The greater of both as signed integers of 32 bits, the lesser of both as
 // unsigned ones; of f64 the halves apart. The upper ones tell a sign from the
@@ -62,7 +59,7 @@ HWY_INLINE T DecidedAbove(Number<T> t) {
   constexpr T kBelowTwo = 2 - std::numeric_limits<T>::epsilon();
   if constexpr (kScaled) {
     return kBelowTwo;
-  } else if constexpr (kByIntegers && sizeof(T) == 8) {
+  } else if constexpr (kTurned && sizeof(T) == 8) {
     // The largest that has this upper half.
     const T twice = static_cast<T>(2 * t);
     std::uint64_t bits;
@@ -81,11 +78,11 @@ HWY_INLINE T DecidedAbove(Number<T> t) {
 // be either.
 template <class D>
 HWY_INLINE Vec<D> LesserOrSecond(D d, Vec<D> a, Vec<D> b) {
-  if constexpr (kByIntegers) {
+  if constexpr (kTurned) {
     return GreaterAsIntegers(d, a, b);
   } else {
     (void)d;
-    return kTurned ? MaxOrSecond(a, b) : MinOrSecond(a, b);
+    return MinOrSecond(a, b);
   }
 }
 
@@ -122,7 +119,8 @@ HWY_INLINE Number<T> MarginScale(Wide bound) {
 
 // What is kept of the margins of a block, two at a time, and tells whether all
 // of them decide.
-#if (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR) || defined(PITBENCH_COUNTING)
+#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || \
+    HWY_TARGET == HWY_AVX3 || defined(PITBENCH_COUNTING)
 // Turned: the least among unsigned integers, of which negative margins are the
 // largest; of f64 the halves apart, and their least together are no more than
 // the least margin.
@@ -133,17 +131,8 @@ HWY_INLINE Vec<D> OfNoMargin(D d) {
 }
 template <class D>
 HWY_INLINE Vec<D> WithMargins(D d, Vec<D> so_far, Vec<D> margin0,
-                              Vec<D> margin1, TFromD<D> decided_above) {
-#if HWY_TARGET == HWY_SSSE3  // has no such minimum: the signs of the decided
-  const auto above = Set(d, decided_above);
-  const auto decided = [&](Vec<D> margin) HWY_ATTR {
-    return Or(margin, hn::VecFromMask(d, Gt(margin, above)));
-  };
-  return And(so_far, And(decided(margin0), decided(margin1)));
-#else
-  (void)decided_above;
+                              Vec<D> margin1) {
   return LesserAsUnsigned(d, LesserAsUnsigned(d, so_far, margin0), margin1);
-#endif
 }
 template <class D>
 HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
@@ -158,8 +147,8 @@ HWY_INLINE Vec<D> OfNoMargin(D d) {
   return Set(d, kScaled ? Limits::infinity() : Limits::max());
 }
 template <class D>
-HWY_INLINE Vec<D> WithMargins(D, Vec<D> so_far, Vec<D> margin0, Vec<D> margin1,
-                              TFromD<D>) {
+HWY_INLINE Vec<D> WithMargins(D, Vec<D> so_far, Vec<D> margin0,
+                              Vec<D> margin1) {
   if constexpr (kScaled) {
     return And(so_far, And(margin0, margin1));
   } else {
@@ -185,7 +174,7 @@ HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
 // which is what the watch is for: NaN where a margin was. (It may also come of
 // margins that are, or whose product is, infinite; then the block is looked at
 // again.) A compare takes +0 for −0, which says inside; but +0 does not decide.
-#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
 inline constexpr bool kWatched = true;
 template <class D>
 HWY_INLINE Mask<D> InsideIfDecided(D, Vec<D> margin, TFromD<D>) {
