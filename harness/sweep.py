@@ -42,7 +42,6 @@ from options import parse_arguments
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from run_folder import (
-    KINDS,
     Shard,
     describe_machine,
     is_done,
@@ -79,7 +78,7 @@ class Sweep:
         self.todo = [shard for shard in shards if not is_done(out, shard)]
         self.total, self.before = len(shards), len(shards) - len(self.todo)
         self.failed: list[str] = []
-        self.seconds: dict[str, list[float]] = {kind: [] for kind in KINDS}
+        self.seconds: dict[Shard, float] = {}
         self.children: list[Child] = []
         self.console = Console(soft_wrap=True, highlight=False)
         # No refresh thread: nothing may wake up beside a timing shard but the
@@ -125,10 +124,10 @@ class Sweep:
         shard, file = child.shard, result(self.out, child.shard)
         set_aside = file.with_name(file.name + ".failed")
         if code == 0 and is_done(self.out, shard):
-            self.seconds[shard.kind].append(seconds)
+            self.seconds[shard] = seconds
             self.bar.advance(self.task)
             set_aside.unlink(missing_ok=True)
-            count = self.before + sum(len(t) for t in self.seconds.values())
+            count = self.before + len(self.seconds)
             if not self.console.is_terminal:
                 self.say(
                     f"{count}/{self.total} {shard.name} {seconds:.1f} s, "
@@ -238,7 +237,7 @@ def sweep(options: argparse.Namespace, out: Path) -> int:
             raise
 
     peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
-    ran = sum(len(times) for times in work.seconds.values())
+    ran = len(work.seconds)
     work.say(
         f"{ran} shards run, {work.before} were there, {len(work.failed)} failed; "
         f"{time.monotonic() - started:.1f} s, largest process {peak:.0f} MiB"

@@ -2,45 +2,54 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 
-from run_folder import ALONE, Shard
+from run_folder import Shard
 
-# Until one of the others has run: the time of a shard that shares the cores over
-# that of one which measures time, as it came out in whole sweeps.
-SHARING_SHARE = 0.25
+# What shards take beside each other: the name's beginning and the seconds, as
+# they came out in whole sweeps (profile full; of those that share the cores half
+# as much again, as quick spares them less). The first that matches counts.
+USUAL = (
+    ("limits", 6.0),
+    ("speed-one_triangle-", 250.0),
+    ("speed-(one_point|pairs)-", 150.0),
+    ("speed-", 15.0),
+    ("accuracy-mesh-", 120.0),
+    ("accuracy-(near_edge|needle|offset|scale|exponent_spread)-", 60.0),
+    ("accuracy-special-", 35.0),
+    ("accuracy-rays_(near_edge|near_vertex|special)-", 24.0),
+    ("accuracy-(rays_)?(uniform|grid|corpus|icosphere|tiled)", 2.5),
+    ("accuracy-", 10.0),
+    ("instructions", 180.0),
+    ("", 3.0),
+)
+
+
+def usual(shard: Shard) -> float:
+    """Seconds, of which only the ratios of two shards mean anything."""
+    return next(seconds for name, seconds in USUAL if re.match(name, shard.name))
 
 
 def time_left(
-    seconds: Mapping[str, Sequence[float]],
+    seconds: Mapping[Shard, float],
     todo: Sequence[Shard],
     running: Mapping[Shard, float],
     jobs: int,
 ) -> str:
-    """In words. `seconds`: kind → what its shards took so far; `running`: shard →
-    seconds since it started; `jobs`: how many shards that share run at once.
+    """In words. `seconds`: what those that have run took; `running`: seconds since
+    they started; `jobs`: how many of the shards that share the cores run at once.
     """
-    if not any(seconds.values()):
+    # The limits take as long in every profile, and so tell nothing of the others.
+    telling = {s: t for s, t in seconds.items() if s.kind != "limits"}
+    if not telling:
         return "time left: unknown yet"
     left = 0.0
     for shard in [*todo, *running]:
-        one = _typical(seconds, shard) - running.get(shard, 0.0)
+        like = [s for s in telling if s.alone == shard.alone] or list(telling)
+        pace = sum(telling[s] for s in like) / sum(usual(s) for s in like)
+        one = pace * usual(shard) - running.get(shard, 0.0)
         left += max(one, 0.0) / (1 if shard.alone else jobs)
     return (
         f"about {left / 60:.0f} min left" if left >= 90 else f"about {left:.0f} s left"
     )
-
-
-def _typical(seconds: Mapping[str, Sequence[float]], shard: Shard) -> float:
-    """The mean of the shards of its kind; where none has run, of those that run
-    alone as it does, or share as it does; else by what the one is of the other.
-    """
-    like = [
-        t for kind in seconds if (kind in ALONE) == shard.alone for t in seconds[kind]
-    ]
-    known = seconds[shard.kind] or like
-    if known:
-        return sum(known) / len(known)
-    every = [t for times in seconds.values() for t in times]
-    share = 1 / SHARING_SHARE if shard.alone else SHARING_SHARE
-    return share * sum(every) / len(every)
