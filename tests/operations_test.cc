@@ -198,13 +198,14 @@ TEST(OperationsTest, InverseMatrixTakesSixProductsAPointAndNotNine) {
 TEST(OperationsTest, ExactTakesThreeMultiplyAddsAPointAsLinesDo) {
   // Two operations take the lines from y, one the lesser of the two distances,
   // and one keeps the least of all, which tells whether all are decided. That
-  // is asked too rarely to be counted of a point.
+  // is asked too rarely to be counted of a point. The sign is made a mask.
   EXPECT_EQ(PerPoint("edge_slope_fma"),
             (Named{{"multiply_add", 3}, {"min_max", 1}, {"compare", 2}}));
   EXPECT_EQ(PerPoint("exact"), (Named{{"multiply_add", 3},
                                       {"add", 2},
-                                      {"min_max", 1 + 2},
-                                      {"compare", 1}}));
+                                      {"min_max", 1},
+                                      {"integer_min_max", 1 + 1},
+                                      {"logic", 1}}));
 }
 
 TEST(OperationsTest, PairsPayTheSetUpForEveryItem) {

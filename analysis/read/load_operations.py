@@ -16,6 +16,7 @@ KINDS: Final = [
     "multiply_add",
     "divide",
     "min_max",
+    "integer_min_max",
     "compare",
     "integer_multiply",
     "logic",
@@ -49,7 +50,8 @@ def load_operations(path: Path, same_run: SameRun | None = None) -> pd.DataFrame
             raise LoadError(f"{path}: $.rows[{index}]: {'/'.join(key)} is there twice")
         seen.add(key)
         for per in ("call", "item"):
-            counts = {kind: float(row[f"per_{per}"][kind]) for kind in KINDS}
+            # Without minima of integers apart in older runs.
+            counts = {kind: float(row[f"per_{per}"].get(kind, 0)) for kind in KINDS}
             rows.append(
                 {"method": key[0], "scalar": key[1], "loop": key[2], "per": per}
                 | counts

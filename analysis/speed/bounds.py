@@ -42,11 +42,13 @@ COLUMNS: Final = [
     "operations_per_item",
 ]
 ALL: Final = "all operations"
-# Arithmetic that every ISA does in the registers that hold the numbers. What
-# else is counted (logic, conversions, loads) may be done elsewhere: masks are
-# combined in registers of their own, or many at once.
+# Arithmetic that every ISA does in the units for numbers. What else is counted
+# may be done elsewhere: masks are combined in registers of their own, or many at
+# once, and minima of integers have units that those of numbers do not have.
 ARITHMETIC: Final = tuple(
-    kind for kind in KINDS if kind not in ("logic", "convert", "load", "store")
+    kind
+    for kind in KINDS
+    if kind not in ("integer_min_max", "logic", "convert", "load", "store")
 )
 # Kinds of which some CPUs do one in the units of another; the probe that does
 # them at once. Where they share none, its rate is that of all their units.

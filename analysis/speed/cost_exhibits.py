@@ -22,6 +22,7 @@ _TITLES: Final = {
     "multiply_add": "multiply-add",
     "divide": "divide",
     "min_max": "min, max",
+    "integer_min_max": "of integers",
     "compare": "compare",
 }
 

@@ -112,7 +112,7 @@ V Max(const V& a, const V& b) {
 template <class I, class V>
 V ByBits(Code code, const V& a, const V& b, bool greater) {
   using T = typename V::T;
-  return Binary<V>(Kind::kMinMax, code, a, b, [greater](T x, T y) {
+  return Binary<V>(Kind::kIntegerMinMax, code, a, b, [greater](T x, T y) {
     I p;
     I q;
     std::memcpy(&p, &x, sizeof(p));

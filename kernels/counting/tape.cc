@@ -18,6 +18,8 @@ std::string_view Name(Kind kind) {
       return "min_max";
     case Kind::kCompare:
       return "compare";
+    case Kind::kIntegerMinMax:
+      return "integer_min_max";
     case Kind::kIntegerMultiply:
       return "integer_multiply";
     case Kind::kLogic:

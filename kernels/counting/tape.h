@@ -28,6 +28,7 @@ enum class Kind : std::uint8_t {
   kDivide,           // and square root
   kMinMax,           // and the smaller in magnitude
   kCompare,          // into a mask, also under a mask
+  kIntegerMinMax,    // of the bits of numbers too
   kIntegerMultiply,  // also of pairs of bytes, with their sum
   kLogic,            // and, or, select, shift, sign; of vectors and of masks
   kConvert,          // to another number type, and lanes moved for it

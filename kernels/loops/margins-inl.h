@@ -174,8 +174,14 @@ HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
 // which is what the watch is for: NaN where a margin was. (It may also come of
 // margins that are, or whose product is, infinite; then the block is looked at
 // again.) A compare takes +0 for −0, which says inside; but +0 does not decide.
-#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2
+// What is counted is what every ISA does: neither compare nor watch.
+#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || \
+    defined(PITBENCH_COUNTING)
+#if defined(PITBENCH_COUNTING)
+inline constexpr bool kWatched = false;
+#else
 inline constexpr bool kWatched = true;
+#endif
 template <class D>
 HWY_INLINE Mask<D> InsideIfDecided(D, Vec<D> margin, TFromD<D>) {
   return hn::MaskFromVec(margin);

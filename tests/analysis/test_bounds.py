@@ -145,6 +145,8 @@ def test_without_counts_a_row_has_the_bound_of_memory_and_says_so(
         ({"min_max": 3, "add": 1}, 3 / 32, "min_max"),
         ({"multiply": 4, "multiply_add": 3}, 7 / 32, "multiply_multiply_add"),
         ({"logic": 1000, "load": 1000, "store": 1000, "add": 4}, 4 / 32, "add"),
+        # Minima of integers have units of their own on some CPUs.
+        ({"integer_min_max": 1000, "add": 4}, 4 / 32, "add"),
     ],
 )
 def test_compute_time_is_the_longest_of_each_kind_and_of_all(

@@ -38,7 +38,7 @@ if "--print-run-name" in sys.argv:
 else:
     print("sweeping", *sys.argv[1:])
 """
-SUM = "#!/bin/bash\necho 3 passed, 0 failed\n"
+SUM = '#!/bin/bash\necho "$@"\necho 3 passed, 0 failed\n'
 
 
 class Fake:
@@ -52,7 +52,8 @@ class Fake:
         (folder / "harness" / "sweep.py").write_text(SWEEP)
         (folder / "analysis" / "__main__.py").write_text("print('reporting')")
         (folder / "tests" / "test_one.py").write_text("def test_one(): pass\n")
-        for script in ("lint.sh", "end_to_end.sh"):
+        (folder / "tests" / "avx512").mkdir()
+        for script in ("lint.sh", "end_to_end.sh", "avx512/run.sh"):
             (folder / "tests" / script).write_text(SUM)
         for name in ("dpkg", "dpkg-query", "apt-get", "sudo", "cmake", "ctest"):
             (self.bin / name).write_text(STUB)
@@ -140,6 +141,19 @@ def test_peers_are_tested_when_named(fake: Fake) -> None:
     (test,) = fake.called("ctest")
     assert test.startswith("ctest --preset peers-tests")
     assert not any("--preset tests" in line for line in fake.called("cmake"))
+
+
+def test_avx512_is_emulated_where_the_cpu_has_none(fake: Fake) -> None:
+    fake.missing("bochs", "linux-image-cloud-amd64")
+    code, output, _ = fake.run("test", "avx512")
+    assert code == 0
+    # The Linux is unpacked, and this system does not get another.
+    assert fake.called("apt-get")[-1].endswith(" bochs")
+    if "avx512vl" in Path("/proc/cpuinfo").read_text():
+        assert output[-1] == "0 passed, 0 failed"
+    else:
+        assert "build linux-image-cloud-amd64" in output
+        assert output[-1] == "3 passed, 0 failed"
 
 
 def test_nothing_is_installed_where_nothing_is_missing(fake: Fake) -> None:
