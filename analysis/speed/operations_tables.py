@@ -14,15 +14,7 @@ from analysis.read.load_operations import KINDS
 from analysis.report.wording import counted, listed
 
 # What the table shows; the rest is in its CSV.
-SHOWN: Final = [
-    "add",
-    "multiply",
-    "multiply_add",
-    "divide",
-    "min_max",
-    "integer_min_max",
-    "compare",
-]
+SHOWN: Final = KINDS[: KINDS.index("compare") + 1]
 _WORDS: Final = {
     "add": "addition",
     "multiply": "multiplication",
