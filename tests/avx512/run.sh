@@ -89,13 +89,13 @@ pack() {
   }
 }
 
-# Bochs wants a terminal, and its debugger to be told to go on.
+# Bochs wants a terminal, which is what Python is for, and its debugger to be told
+# to go on.
 emulate() {
   echo continue >go.txt
-  export BXSHARE=/usr/share/bochs
-  timeout $((60 * minutes)) script -qec \
-    "env TERM=linux bochs-bin -q -f '$here/bochsrc' -rc go.txt" /dev/null \
-    >screen.txt 2>&1 </dev/null || true
+  TERM=linux BXSHARE=/usr/share/bochs timeout $((60 * minutes)) /usr/bin/python3 \
+    -c 'import pty, sys; pty.spawn(sys.argv[1:])' \
+    bochs-bin -q -f "$here/bochsrc" -rc go.txt >screen.txt 2>&1 </dev/null || true
 }
 
 # Reads the console as it is written. A line ends with a carriage return.
