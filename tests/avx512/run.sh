@@ -89,13 +89,21 @@ pack() {
   }
 }
 
-# Bochs wants a terminal, which is what Python is for, and its debugger to be told
-# to go on.
+# Bochs opens a terminal for its screen, and waits where nobody reads what it shows
+# there; its debugger has to be told to go on.
 emulate() {
+  local emulator screen
   echo continue >go.txt
-  TERM=linux BXSHARE=/usr/share/bochs timeout $((60 * minutes)) /usr/bin/python3 \
-    -c 'import pty, sys; pty.spawn(sys.argv[1:])' \
-    bochs-bin -q -f "$here/bochsrc" -rc go.txt >screen.txt 2>&1 </dev/null || true
+  : >screen.txt
+  TERM=linux BXSHARE=/usr/share/bochs timeout $((60 * minutes)) \
+    bochs-bin -q -f "$here/bochsrc" -rc go.txt >screen.txt 2>&1 </dev/null &
+  emulator=$!
+  until screen=$(grep -aoEm 1 '/dev/pts/[0-9]+' screen.txt) ||
+    ! kill -0 "$emulator" 2>/dev/null; do
+    sleep 0.2
+  done
+  [[ -z $screen ]] || cat "$screen" >/dev/null &
+  wait "$emulator" || true
 }
 
 # Reads the console as it is written. A line ends with a carriage return.
