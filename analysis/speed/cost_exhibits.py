@@ -22,7 +22,7 @@ _TITLES: Final = {
     "multiply_add": "multiply-add",
     "divide": "divide",
     "min_max": "min, max",
-    "integer_min_max": "of integers",
+    "integer_min_max": "integer min, max",
     "compare": "compare",
 }
 
