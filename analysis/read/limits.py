@@ -56,10 +56,34 @@ class Limits:
     operations: pd.DataFrame
     clock_ghz: float
 
-    def level_of(self, size: float) -> str:
-        """The nearest level that holds so many bytes."""
-        fitting = [level.name for level in self.levels if size <= level.capacity]
-        return fitting[0] if fitting else self.levels[-1].name
+    def shares(self, size: float) -> dict[str, float]:
+        """Level → the share of a set of so many bytes, read over and over, that
+        comes from there or from beyond. Of a set that nearer levels cannot hold
+        they keep some at best: what is read in turn pushes out what comes next.
+        From twice as large on, nothing is taken to be kept.
+        """
+        found, held = {}, 0.0
+        for level in self.levels:
+            left = (size - held) / held if held else 1.0
+            if left > 0:
+                found[level.name] = min(left, 1.0)
+            held += level.capacity
+        return found
+
+    def reading(self, isa: str, scalar: str, size: float) -> tuple[str, float]:
+        """The level that takes the longest to deliver its share of such a set, and
+        the bytes of all of it that can be read a second; NaN if unknown.
+        """
+        shares = self.shares(size)
+        rates = {
+            level: self.bandwidth(isa, scalar, level) / share
+            for level, share in shares.items()
+        }
+        known = {level: rate for level, rate in rates.items() if rate == rate}
+        if not known:
+            return list(shares)[-1], math.nan
+        slowest = min(known, key=lambda level: known[level])
+        return slowest, known[slowest]
 
     def bandwidth(
         self, isa: str, scalar: str, level: str, access: str = "load"

@@ -1,6 +1,7 @@
 """How fast a cell could be at most on this machine, and how near it is.
 
-An item cannot take less time than its bytes need to arrive (memory), nor than
+An item cannot take less time than its bytes need to arrive (memory; a set that is
+a little too large for a cache counts as kept there in part), nor than
 its operations need in the units that do them (compute): for each kind of
 operation, count ÷ rate of that kind; for kinds that may share units, their
 total ÷ the highest rate of any of them and of them together; and for all kinds,
@@ -29,7 +30,7 @@ from analysis.report.method_families import leaves_early
 from analysis.trust.noise import TOLERANCE
 
 COLUMNS: Final = [
-    "level",  # where the working set lies
+    "level",  # which bounds how fast the working set is read
     "memory_ns",
     "compute_ns",  # NaN: operations not counted
     "bound_ns",
@@ -109,8 +110,9 @@ def _bound(
     cell: dict[str, Any], limits: Limits, counts: Counts | None
 ) -> dict[str, Any]:
     size = cell.get("scene_bytes", math.nan)
-    level = limits.level_of(size if size == size else cell["working_set_bytes"])
-    memory = memory_ns(cell, limits, level)
+    whole = size if size == size else cell["working_set_bytes"]
+    level, rate = limits.reading(cell["isa"], cell["scalar"], whole)
+    memory = memory_ns(cell, limits, rate)
     compute, kind = compute_ns(cell, limits, counts)
     by_compute = compute == compute and not compute < memory
     bound = compute if by_compute else memory
@@ -129,12 +131,13 @@ def _bound(
     }
 
 
-def memory_ns(cell: dict[str, Any], limits: Limits, level: str) -> float:
-    """The time that an item's bytes take, from `level`; the weights, or t, u
-    and v, that some kernels write are stored meanwhile, so the longer of the two counts.
+def memory_ns(cell: dict[str, Any], limits: Limits, rate: float) -> float:
+    """The time that an item's bytes take at `rate` bytes a second; the weights, or
+    t, u and v, that some kernels write are stored meanwhile, so the longer of the two
+    counts.
     """
     isa, scalar = cell["isa"], cell["scalar"]
-    load: float = 1e9 * cell["bytes_per_item"] / limits.bandwidth(isa, scalar, level)
+    load: float = 1e9 * cell["bytes_per_item"] / rate
     if not cell["loop"].endswith((WEIGHTS_SUFFIX, TUV_SUFFIX)):
         return load
     nearest = limits.levels[0].name

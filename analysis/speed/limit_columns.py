@@ -71,7 +71,7 @@ NEAR: Final = (
     number("ns", "ns/item"),
     BOUND,
     OF_LIMIT,
-    word("level", "set lies in"),
+    word("level", "read from"),
     number(
         "instructions_per_cycle",
         "instructions a cycle",
