@@ -63,8 +63,8 @@ def whole(path: Path, field: str, value: float) -> int:
     return int(value)
 
 
-def distance(path: Path, field: str, value: float) -> float:
-    """A distance in ulps; those of f64 can be as long as all its numbers."""
+def double(path: Path, field: str, value: float) -> float:
+    """What may be written as an integer of any length, as distances in ulps are."""
     try:
         return float(value)
     except OverflowError:

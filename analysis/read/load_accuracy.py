@@ -98,7 +98,7 @@ class AccuracyRows:
                     (
                         *place,
                         kind,
-                        math.nan if far is None else fields.distance(path, where, far),
+                        math.nan if far is None else fields.double(path, where, far),
                         worst["said"],
                         *(" ".join(worst[key]) for key in ("a", "b", "c")),
                         _asked(worst),
@@ -138,6 +138,6 @@ class AccuracyRows:
             for end in ("smallest", "largest"):
                 if end in span:
                     place = f"{field}.classes.{kind}.distance_ulps.{end}"
-                    span_end = fields.distance(path, place, span[end])
+                    span_end = fields.double(path, place, span[end])
                     found[f"{kind}_{end}"] = span_end
         return found

@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 
 import pandas as pd
 
-from analysis.read.fields import SameRun
+from analysis.read.fields import SameRun, double
 from analysis.read.read_json import LoadError, read_json
 
 INSTRUCTIONS_COLUMNS: Final = ["method", "scalar", "loop", "isa"] + [
@@ -63,7 +63,10 @@ def load_instructions(path: Path, same_run: SameRun | None = None) -> Traces:
             )
         rows.append(
             {**row, "iteration": tuple(row["iteration"])}
-            | {key: float(row[key]) for key in ("per_call", "per_item")}
+            | {
+                key: double(path, f"$.rows[{index}].{key}", row[key])
+                for key in ("per_call", "per_item")
+            }
         )
     frame = pd.DataFrame(rows, columns=EMULATED_COLUMNS)
     here = frame["vector_bits"].isna()

@@ -7,7 +7,7 @@ from typing import Final
 
 import pandas as pd
 
-from analysis.read.fields import SameRun
+from analysis.read.fields import SameRun, double
 from analysis.read.read_json import LoadError, read_json
 
 KINDS: Final = [
@@ -50,8 +50,12 @@ def load_operations(path: Path, same_run: SameRun | None = None) -> pd.DataFrame
             raise LoadError(f"{path}: $.rows[{index}]: {'/'.join(key)} is there twice")
         seen.add(key)
         for per in ("call", "item"):
+            field = f"$.rows[{index}].per_{per}"
             # Without minima of integers apart in older runs.
-            counts = {kind: float(row[f"per_{per}"].get(kind, 0)) for kind in KINDS}
+            counts = {
+                kind: double(path, f"{field}.{kind}", row[f"per_{per}"].get(kind, 0))
+                for kind in KINDS
+            }
             rows.append(
                 {"method": key[0], "scalar": key[1], "loop": key[2], "per": per}
                 | counts

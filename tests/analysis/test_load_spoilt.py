@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -90,3 +91,28 @@ def test_spoilt_bytes_are_loaded_or_refused_but_never_a_crash(
         load_run(folder)
     except LoadError as error:
         assert SPEED in str(error)
+
+
+@pytest.mark.parametrize(
+    ("name", "place"),
+    [
+        ("operations.json", ("per_item", "add")),
+        ("operations.json", ("per_call", "integer_min_max")),
+        ("instructions.json", ("per_item",)),
+    ],
+)
+def test_an_integer_beyond_any_double_is_refused_by_its_field(
+    name: str, place: tuple[str, ...], tmp_path: Path
+) -> None:
+    folder = write_run(tmp_path / "mutated", TWO_METHODS)
+    document = json.loads((folder / name).read_text())
+    *parents, last = place
+    inner = document["rows"][0]
+    for key in parents:
+        inner = inner[key]
+    inner[last] = 10**400
+    (folder / name).write_text(json.dumps(document))
+    with pytest.raises(LoadError) as error:
+        load_run(folder)
+    assert name in str(error.value)
+    assert ".".join(("$.rows[0]", *place)) in str(error.value)
