@@ -103,7 +103,7 @@ emulate() {
     ! kill -0 "$emulator" 2>/dev/null; do
     sleep 0.2
   done
-  [[ -z $screen ]] || cat "$screen" >/dev/null &
+  [[ -z $screen ]] || cat "$screen" >/dev/null 2>&1 &
   wait "$emulator" || true
 }
 
