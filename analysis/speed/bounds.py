@@ -1,9 +1,8 @@
 """How fast a cell could be at most on this machine, and how near it is.
 
 An item cannot take less time than its bytes need to arrive (memory; a set that is
-a little too large for a cache counts as kept there in part), nor than
-its operations need in the units that do them (compute): for each kind of
-operation, count ÷ rate of that kind; for kinds that may share units, their
+a little too large for a cache counts as kept there in part), nor than its
+operations need in the units that do them (compute): for each kind of operation, count ÷ rate of that kind; for kinds that may share units, their
 total ÷ the highest rate of any of them and of them together; and for all kinds,
 their total ÷ the highest rate of any mix. The bound is the largest of these
 times. What a call does once is spread over its items, at the same rates, which

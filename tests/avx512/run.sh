@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the kernels' tests on AVX-512 where the CPU has none: as programs of a small
-# Linux on a CPU that Bochs emulates. Takes some minutes. It is about answers: a
+# Linux on a CPU that Bochs emulates. Takes about a quarter of an hour. It is about answers: a
 # time taken there means nothing, and none is.
 #
 # usage: tests/avx512/run.sh BUILD LINUX
@@ -96,9 +96,10 @@ emulate() {
   local emulator screen
   echo continue >go.txt
   : >screen.txt
-  TERM=linux BXSHARE=/usr/share/bochs timeout $((60 * minutes)) \
+  TERM=linux BXSHARE=/usr/share/bochs timeout -k 10 $((60 * minutes)) \
     bochs-bin -q -f "$here/bochsrc" -rc go.txt >screen.txt 2>&1 </dev/null &
   emulator=$!
+  trap 'kill "$emulator"' TERM
   until screen=$(grep -aoEm 1 '/dev/pts/[0-9]+' screen.txt) ||
     ! kill -0 "$emulator" 2>/dev/null; do
     sleep 0.2
@@ -148,4 +149,5 @@ pack
 : >console.txt
 emulate &
 emulator=$!
+trap 'kill "$emulator" 2>/dev/null || true' EXIT  # also of one interrupted
 tail -n +1 -F --pid="$emulator" console.txt 2>/dev/null | judge

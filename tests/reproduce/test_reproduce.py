@@ -186,6 +186,14 @@ def test_an_arm64_host_does_not_cross_build(fake: Fake) -> None:
     assert fake.called("apt-get") == []
 
 
+def test_a_host_of_arm64_does_not_emulate_avx512(fake: Fake) -> None:
+    (fake.state / "host").write_text("arm64\n")
+    fake.missing("bochs")
+    code, output, _ = fake.run("test", "avx512")
+    assert (code, output[-1]) == (0, "0 passed, 0 failed")
+    assert fake.called("apt-get") == []
+
+
 def test_test_runs_every_suite_and_sums(fake: Fake) -> None:
     code, output, _ = fake.run("test")
     # ctest thrice, pytest, lint, end to end

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from run_folder import KINDS, Shard
+from run_folder import Shard
 from time_left import time_left, usual
 
 
@@ -54,8 +54,3 @@ def test_what_a_running_shard_has_done_is_not_left() -> None:
     assert time_left(seconds, [], {first: 4.0, second: 2.0}, 2) == "about 7 s left"
     # One that takes longer than the others says nothing about those.
     assert time_left(seconds, [first], {second: 50.0}, 1) == "about 10 s left"
-
-
-def test_every_shard_has_a_usual_time() -> None:
-    assert all(usual(shard(kind)) > 0 for kind in KINDS)
-    assert usual(TRIANGLE) > usual(POINT) > usual(shard("speed-one_ray-f32"))
