@@ -96,10 +96,10 @@ emulate() {
   local emulator screen
   echo continue >go.txt
   : >screen.txt
-  TERM=linux BXSHARE=/usr/share/bochs timeout -k 10 $((60 * minutes)) \
-    bochs-bin -q -f "$here/bochsrc" -rc go.txt >screen.txt 2>&1 </dev/null &
+  TERM=linux BXSHARE=/usr/share/bochs setpriv --pdeathsig TERM -- \
+    timeout -k 2 $((60 * minutes)) bochs-bin -q -f "$here/bochsrc" -rc go.txt \
+    >screen.txt 2>&1 </dev/null &
   emulator=$!
-  trap 'kill "$emulator"' TERM
   until screen=$(grep -aoEm 1 '/dev/pts/[0-9]+' screen.txt) ||
     ! kill -0 "$emulator" 2>/dev/null; do
     sleep 0.2
