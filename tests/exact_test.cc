@@ -22,9 +22,11 @@ namespace {
 #if PITBENCH_SLOW
 constexpr std::size_t kHardPoints = 300'000;
 constexpr int kRandomInputs = 10'000;
+constexpr std::size_t kPlaces = 5;
 #else
 constexpr std::size_t kHardPoints = 10'000'000;
 constexpr int kRandomInputs = 300'000;
+constexpr std::size_t kPlaces = 40;
 #endif
 
 template <class T>
@@ -69,6 +71,40 @@ TYPED_TEST(ExactTest, VerificationFindsAMethodThatRounds) {
       10'000, 1);
   EXPECT_GT(v.wrong, 100u);
   EXPECT_NE(v.first_wrong.find("cross_product on scalar"), std::string::npos);
+}
+
+// One or two points on an edge, or an ulp beside it, among so many that are
+// decided that loops answer many together: they alone are decided again, and
+// nothing else changes.
+TYPED_TEST(ExactTest, PointsNearAnEdgeAmongManyThatAreNot) {
+  using T = TypeParam;
+  constexpr std::size_t kMany = 5000;
+  constexpr std::size_t kApart = 1 + kMany / kPlaces;
+  const T y = T{0.5};
+  const std::vector<Point<T>> near_edge = {
+      {2, y}, {2, std::nextafter(y, T{0})}, {2, std::nextafter(y, T{1})}};
+  for (const Kernel* kernel : this->ExactKernels()) {
+    if (kernel->loop == Loop::kOnePoint) continue;  // items are triangles
+    for (const Triangle<T>& t :
+         {Triangle<T>{{0, 0}, {4, 1}, {1, 4}},     // two edges below, one above
+          Triangle<T>{{0, 0}, {1, -3}, {4, 1}},    // one below, two above
+          Triangle<T>{{4, 1}, {0, 0}, {4, 4}}}) {  // with a vertical edge
+      for (std::size_t k = 0; k < kPlaces; ++k) {
+        std::vector<Point<T>> points(kMany);
+        for (std::size_t i = 0; i < kMany; ++i) {
+          points[i] = i % 3 == 0 ? Point<T>{2, 2} : Point<T>{2, -1};
+        }
+        points[k * kApart % kMany] = near_edge[k % 3];
+        points[(k * kApart + 77 * k) % kMany] = near_edge[(k + 1) % 3];
+        const AnswerTable<T> table = AskAll<T>(*kernel, {t}, points);
+        for (std::size_t i = 0; i < kMany; ++i) {
+          ASSERT_EQ(table.Inside(0, i), Expected(kernel->method, t, points[i]))
+              << NameOf(*kernel) << ", item " << i << ": " << points[i]
+              << " in " << t;
+        }
+      }
+    }
+  }
 }
 
 // Any bits that are a finite number, of every exponent; coordinates repeat, so

@@ -54,35 +54,40 @@ static HWY_NOINLINE void Decide(D d, std::size_t first, std::size_t end,
   }
 }
 
-// Writes what the margins of the block of items from `start` on say, and keeps
-// in of_all and watch whether they decide.
-template <bool kMayBeNaN, class D, class MarginAt>
+// Writes what the margins of the block of items from `start` on say if they
+// decide, and keeps in of_all and watch what tells whether they do; in of_all
+// with what was there, unless this is the first block.
+template <bool kMayBeNaN, bool kFirst, class D, class MarginAt>
 HWY_INLINE void WriteFilteredBlock(D d, std::size_t start,
                                    TFromD<D> decided_above, std::uint8_t* to,
                                    const MarginAt& margin_at, Vec<D>& of_all,
                                    Vec<D>& watch) {
   const std::size_t lanes = hn::Lanes(d);
-  const std::size_t step = HWY_MAX(lanes, std::size_t{8});
-  auto first_of_two = watch;
+  const std::size_t block = 8 * HWY_MAX(lanes, std::size_t{8});
+  const std::size_t step = 2 * HWY_MAX(lanes, std::size_t{4});
 #pragma GCC unroll 8
-  for (std::size_t i = 0; i < 8 * step; i += step) {
+  for (std::size_t i = 0; i < block; i += step) {
     std::uint64_t byte = 0;
-    for (std::size_t j = 0; j < step; j += lanes) {
-      const auto margin = margin_at(start + i + j);
-      const auto inside = InsideIfDecided(d, margin, decided_above);
-      if ((i + j) / lanes % 2 == 0) {
-        first_of_two = margin;
+    for (std::size_t j = 0; j < step; j += 2 * lanes) {
+      const auto margin0 = margin_at(start + i + j);
+      const auto margin1 = margin_at(start + i + j + lanes);
+      if constexpr (kHalved) {
+        StoreInside(d, margin0, margin1, to + i / 8);
+      } else if (lanes >= 8) {
+        hn::StoreMaskBits(d, InsideIfDecided(d, margin0, decided_above),
+                          to + i / 8);
+        hn::StoreMaskBits(d, InsideIfDecided(d, margin1, decided_above),
+                          to + (i + lanes) / 8);
       } else {
-        of_all = WithMargins(d, of_all, first_of_two, margin);
-        if constexpr (kMayBeNaN) watch = Watch(watch, first_of_two, margin);
+        const auto inside0 = InsideIfDecided(d, margin0, decided_above);
+        const auto inside1 = InsideIfDecided(d, margin1, decided_above);
+        byte |= (MaskBits(d, inside0) | MaskBits(d, inside1) << lanes) << j;
       }
-      if (lanes >= 8) {
-        hn::StoreMaskBits(d, inside, to + i / 8);
-      } else {
-        byte |= MaskBits(d, inside) << j;
-      }
+      const auto of_two = OfMargins(d, margin0, margin1);
+      of_all = kFirst && i + j == 0 ? of_two : OfBoth(d, of_all, of_two);
+      if constexpr (kMayBeNaN) watch = Watch(watch, margin0, margin1);
     }
-    if (lanes < 8) to[i / 8] = static_cast<std::uint8_t>(byte);
+    if (!kHalved && lanes < 8) to[i / 8] = static_cast<std::uint8_t>(byte);
   }
 }
 
@@ -94,45 +99,69 @@ template <bool kMayBeNaN, class D, class MarginAt, class TailAt, class Contains>
 HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> decided_above,
                               std::uint8_t* bits, const MarginAt& margin_at,
                               const TailAt& tail_at, const Contains& contains) {
-  const std::size_t block = 8 * HWY_MAX(hn::Lanes(d), std::size_t{8});
+  const std::size_t lanes = hn::Lanes(d);
+  const std::size_t block = 8 * HWY_MAX(lanes, std::size_t{8});
   // So many blocks share one look at whether all items are decided, which takes
-  // as long as one vector or two. Where they are not, each of them is looked at
-  // by itself.
+  // as long as one vector or two. Where they are not, each block is looked at
+  // by itself: again, or at what was kept of it, which pays where undecided
+  // items are not rare, but not on AVX-512.
   constexpr std::size_t kShare = 16;
-  std::size_t one_by_one = 0;
+  constexpr bool kKeep = sizeof(TFromD<D>) == 4 && !kHalved;
+  HWY_ALIGN TFromD<D> kept[kKeep ? kShare * kMaxLanes<D> : 1];
   std::size_t left = n / block;
   std::size_t first = 0;
   while (left != 0) {
     // No call in this loop, so that its constants stay in registers.
+    std::size_t shared = 0;
     bool decided = true;
-    std::size_t looked_at = 0;
+    bool numbers = true;
     while (left != 0) {
-      looked_at = one_by_one != 0 ? 1 : HWY_MIN(kShare, left);
+      shared = HWY_MIN(kShare, left);
       auto of_all = OfNoMargin(d);
       auto watch = Zero(d);
       std::size_t start = first;
       std::uint8_t* to = bits + first / 8;
-      for (std::size_t k = looked_at; k != 0; --k) {
-        WriteFilteredBlock<kMayBeNaN>(d, start, decided_above, to, margin_at,
-                                      of_all, watch);
+      for (std::size_t k = 0; k != shared; ++k) {
+        if constexpr (kKeep) {
+          auto of_block = of_all;
+          WriteFilteredBlock<kMayBeNaN, true>(d, start, decided_above, to,
+                                              margin_at, of_block, watch);
+          hn::Store(of_block, d, kept + k * lanes);
+          of_all = OfBoth(d, of_all, of_block);
+        } else {
+          WriteFilteredBlock<kMayBeNaN, false>(d, start, decided_above, to,
+                                               margin_at, of_all, watch);
+        }
         start += block;
         to += block / 8;
       }
-      decided = AllDecided<kMayBeNaN>(d, of_all, watch, decided_above);
-      if (HWY_UNLIKELY(!decided)) break;
+      decided = AllDecided(d, of_all, decided_above);
+      if constexpr (kMayBeNaN) numbers = NoneIsNaN(d, watch);
+      if (HWY_UNLIKELY(!(decided && numbers))) break;
       first = start;
-      left -= looked_at;
-      if (one_by_one != 0) --one_by_one;
+      left -= shared;
     }
-    if (decided) continue;
-    if (looked_at != 1) {
-      one_by_one = looked_at;
-    } else {
-      const std::size_t end = first + block;
-      Decide(d, first, end, decided_above, bits, margin_at, tail_at, contains);
-      first = end;
-      --left;
-      if (one_by_one != 0) --one_by_one;
+    if (decided && numbers) continue;
+    left -= shared;
+    for (std::size_t k = 0; k != shared; ++k) {
+      bool block_decided = false;
+      if constexpr (kKeep) {
+        const auto of_block = hn::Load(d, kept + k * lanes);
+        block_decided = numbers && AllDecided(d, of_block, decided_above);
+      } else {
+        auto of_block = OfNoMargin(d);
+        auto watch = Zero(d);
+        WriteFilteredBlock<kMayBeNaN, true>(d, first, decided_above,
+                                            bits + first / 8, margin_at,
+                                            of_block, watch);
+        block_decided = AllDecided(d, of_block, decided_above) &&
+                        (!kMayBeNaN || NoneIsNaN(d, watch));
+      }
+      if (!block_decided) {
+        Decide(d, first, first + block, decided_above, bits, margin_at, tail_at,
+               contains);
+      }
+      first += block;
     }
   }
   if (first < n) {

@@ -2,13 +2,18 @@
 // told inside or outside for certain, or not decided.
 //
 // A filter gives each item a margin: above t it is inside, below −t it is not,
-// and between nothing is decided. On x86 from SSE4 on, which compares integers
-// without sign as fast as numbers, t − margin takes its place (kTurned): its
-// sign bit says inside, above 2t is outside, and as integers without sign
-// nothing is less than what is undecided. Elsewhere, if there are fused
-// multiply-adds, margins are multiplied by a power of two that makes t at least
-// 1 and less than 2: what is decided, from ±2 on, has the highest bit of its
-// exponent set (kScaled).
+// and between nothing is decided. Their form is that in which an ISA judges a
+// block of them soonest:
+// - On x86 from SSE4 on, which compares integers without sign as fast as
+//   numbers, t − margin takes its place (kTurned): its sign bit says inside,
+//   above 2t is outside, and as integers without sign nothing is less than what
+//   is undecided.
+// - On AVX-512, which takes the upper halves of two vectors in one instruction,
+//   these alone are judged (kHalved): half as many compares, whose masks are
+//   what is slow there.
+// - Elsewhere, if there are fused multiply-adds, margins are multiplied by a
+//   power of two that makes t at least 1 and less than 2: what is decided, from
+//   ±2 on, has the highest bit of its exponent set (kScaled).
 #if defined(PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_
 #undef PITBENCH_KERNELS_LOOPS_MARGINS_INL_H_
@@ -24,13 +29,23 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || \
-    HWY_TARGET == HWY_AVX3 || defined(PITBENCH_COUNTING)
-inline constexpr bool kTurned = true;
+#undef PITBENCH_MARGINS_HALVED
+#undef PITBENCH_MARGINS_TURNED
+#if HWY_TARGET == HWY_AVX3
+#define PITBENCH_MARGINS_HALVED 1
 #else
-inline constexpr bool kTurned = false;
+#define PITBENCH_MARGINS_HALVED 0
+#endif
+// What is counted is what every ISA does that has them turned.
+#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || \
+    PITBENCH_MARGINS_HALVED || defined(PITBENCH_COUNTING)
+#define PITBENCH_MARGINS_TURNED 1
+#else
+#define PITBENCH_MARGINS_TURNED 0
 #endif
 
+inline constexpr bool kTurned = PITBENCH_MARGINS_TURNED;
+inline constexpr bool kHalved = PITBENCH_MARGINS_HALVED;
 inline constexpr bool kScaled = HWY_NATIVE_FMA && !kTurned;
 
 // The greater of both as signed integers of 32 bits, the lesser of both as
@@ -59,12 +74,12 @@ HWY_INLINE T DecidedAbove(Number<T> t) {
   constexpr T kBelowTwo = 2 - std::numeric_limits<T>::epsilon();
   if constexpr (kScaled) {
     return kBelowTwo;
-  } else if constexpr (kTurned && sizeof(T) == 8) {
+  } else if constexpr (kTurned && (kHalved || sizeof(T) == 8)) {
     // The largest that has this upper half.
     const T twice = static_cast<T>(2 * t);
-    std::uint64_t bits;
+    hwy::UnsignedFromSize<sizeof(T)> bits;
     std::memcpy(&bits, &twice, sizeof(bits));
-    bits |= 0xFFFFFFFF;
+    bits |= (decltype(bits){1} << (4 * sizeof(T))) - 1;
     T largest;
     std::memcpy(&largest, &bits, sizeof(bits));
     return largest;
@@ -117,26 +132,84 @@ HWY_INLINE Number<T> MarginScale(Wide bound) {
   }
 }
 
-// What is kept of the margins of a block, two at a time, and tells whether all
-// of them decide.
-#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || \
-    HWY_TARGET == HWY_AVX3 || defined(PITBENCH_COUNTING)
-// Turned: the least among unsigned integers, of which negative margins are the
-// largest; of f64 the halves apart, and their least together are no more than
-// the least margin.
+// What is kept of the margins of blocks, two vectors at a time, and tells
+// whether all of them decide; and which of them say inside, if they do.
+#if PITBENCH_MARGINS_TURNED
+// The least among unsigned integers, of which negative margins are the largest:
+// the lesser of two first, so that what is kept waits for one instruction in
+// two vectors.
 template <class D>
 HWY_INLINE Vec<D> OfNoMargin(D d) {
   const hn::RebindToSigned<D> di;
   return hn::BitCast(d, hn::Set(di, -1));
 }
+#endif
+#if PITBENCH_MARGINS_HALVED
 template <class D>
-HWY_INLINE Vec<D> WithMargins(D d, Vec<D> so_far, Vec<D> margin0,
-                              Vec<D> margin1) {
-  return LesserAsUnsigned(d, LesserAsUnsigned(d, so_far, margin0), margin1);
+using UpperHalf =
+    hn::Repartition<hwy::UnsignedFromSize<sizeof(TFromD<D>) / 2>, D>;
+template <class D>
+HWY_INLINE Vec<UpperHalf<D>> UpperHalves(D, Vec<D> margin0, Vec<D> margin1) {
+  const UpperHalf<D> dh;
+  return hn::ConcatOdd(dh, hn::BitCast(dh, margin1), hn::BitCast(dh, margin0));
+}
+template <class T>
+HWY_INLINE auto UpperHalfOf(T value) {
+  hwy::UnsignedFromSize<sizeof(T)> bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return static_cast<hwy::UnsignedFromSize<sizeof(T) / 2>>(bits >>
+                                                           (4 * sizeof(T)));
 }
 template <class D>
-HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
-  return Or(Gt(of_all, Set(d, decided_above)), hn::MaskFromVec(of_all));
+HWY_INLINE Vec<D> OfMargins(D d, Vec<D> margin0, Vec<D> margin1) {
+  return hn::BitCast(d, UpperHalves(d, margin0, margin1));
+}
+template <class D>
+HWY_INLINE Vec<D> OfBoth(D d, Vec<D> of_some, Vec<D> of_others) {
+  const UpperHalf<D> dh;
+  return hn::BitCast(
+      d, hn::Min(hn::BitCast(dh, of_some), hn::BitCast(dh, of_others)));
+}
+template <class D>
+HWY_INLINE bool AllDecided(D, Vec<D> of_all, TFromD<D> decided_above) {
+  const UpperHalf<D> dh;
+  return hn::AllTrue(
+      dh, Gt(hn::BitCast(dh, of_all), Set(dh, UpperHalfOf(decided_above))));
+}
+// From −0 to −∞, which leaves out NaN: that has a larger upper half, as it
+// comes of arithmetic and so is a quiet one.
+template <class D>
+HWY_INLINE void StoreInside(D d, Vec<D> margin0, Vec<D> margin1,
+                            std::uint8_t* to) {
+  using T = TFromD<D>;
+  const hn::RebindToSigned<UpperHalf<D>> di;
+  constexpr T kInfinity = std::numeric_limits<T>::infinity();
+  const auto after =
+      static_cast<TFromD<decltype(di)>>(UpperHalfOf(-kInfinity) + 1);
+  const auto halves = hn::BitCast(di, UpperHalves(d, margin0, margin1));
+  hn::StoreMaskBits(di, Lt(halves, Set(di, after)), to);
+}
+#elif PITBENCH_MARGINS_TURNED
+// Of f64 the halves apart: their least together are no more than the least
+// margin.
+template <class D>
+HWY_INLINE Vec<D> OfMargins(D d, Vec<D> margin0, Vec<D> margin1) {
+  return LesserAsUnsigned(d, margin0, margin1);
+}
+template <class D>
+HWY_INLINE Vec<D> OfBoth(D d, Vec<D> of_some, Vec<D> of_others) {
+  return LesserAsUnsigned(d, of_some, of_others);
+}
+template <class D>
+HWY_INLINE bool AllDecided(D d, Vec<D> of_all, TFromD<D> decided_above) {
+  return hn::AllTrue(
+      d, Or(Gt(of_all, Set(d, decided_above)), hn::MaskFromVec(of_all)));
+}
+// The sign bit, which costs nothing; but that of NaN says so as well, which is
+// what the watch is for.
+template <class D>
+HWY_INLINE Mask<D> InsideIfDecided(D, Vec<D> margin, TFromD<D>) {
+  return hn::MaskFromVec(margin);
 }
 #else
 // Scaled: the and of their bits; else their least magnitude, where a margin
@@ -147,53 +220,39 @@ HWY_INLINE Vec<D> OfNoMargin(D d) {
   return Set(d, kScaled ? Limits::infinity() : Limits::max());
 }
 template <class D>
-HWY_INLINE Vec<D> WithMargins(D, Vec<D> so_far, Vec<D> margin0,
-                              Vec<D> margin1) {
+HWY_INLINE Vec<D> OfMargins(D d, Vec<D> margin0, Vec<D> margin1) {
   if constexpr (kScaled) {
-    return And(so_far, And(margin0, margin1));
+    return And(margin0, margin1);
   } else {
-    return hn::Min(Abs(margin1), hn::Min(Abs(margin0), so_far));
+    return hn::Min(Abs(margin1), hn::Min(Abs(margin0), OfNoMargin(d)));
   }
 }
 template <class D>
-HWY_INLINE Mask<D> Decided(D d, Vec<D> of_all, TFromD<D> decided_above) {
+HWY_INLINE Vec<D> OfBoth(D, Vec<D> of_some, Vec<D> of_others) {
+  return kScaled ? And(of_some, of_others) : hn::Min(of_some, of_others);
+}
+template <class D>
+HWY_INLINE bool AllDecided(D d, Vec<D> of_all, TFromD<D> decided_above) {
   if constexpr (kScaled) {
     const hn::RebindToSigned<D> di;
     using I = TFromD<decltype(di)>;
     constexpr I kHighestOfExponent = I{1} << (8 * sizeof(I) - 2);
-    return hn::RebindMask(d, hn::TestBit(hn::BitCast(di, of_all),
-                                         hn::Set(di, kHighestOfExponent)));
+    return hn::AllTrue(
+        di, hn::TestBit(hn::BitCast(di, of_all), Set(di, kHighestOfExponent)));
   } else {
-    return Gt(of_all, Set(d, decided_above));
+    return hn::AllTrue(d, Gt(of_all, Set(d, decided_above)));
   }
 }
-#endif
-
-// Which lanes are inside, where all margins of a block decide. Before AVX-512
-// the sign bit says it, which costs nothing; but that of NaN says so as well,
-// which is what the watch is for: NaN where a margin was. (It may also come of
-// margins that are, or whose product is, infinite; then the block is looked at
-// again.) A compare takes +0 for −0, which says inside; but +0 does not decide.
-// What is counted is what every ISA does: neither compare nor watch.
-#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || \
-    defined(PITBENCH_COUNTING)
-#if defined(PITBENCH_COUNTING)
-inline constexpr bool kWatched = false;
-#else
-inline constexpr bool kWatched = true;
-#endif
-template <class D>
-HWY_INLINE Mask<D> InsideIfDecided(D, Vec<D> margin, TFromD<D>) {
-  return hn::MaskFromVec(margin);
-}
-#else
-inline constexpr bool kWatched = false;
 template <class D>
 HWY_INLINE Mask<D> InsideIfDecided(D d, Vec<D> margin,
                                    TFromD<D> decided_above) {
-  return kTurned ? Le(margin, Zero(d)) : Gt(margin, Set(d, decided_above));
+  return Gt(margin, Set(d, decided_above));
 }
 #endif
+
+// NaN where a margin was, two vectors at a time. (It may also come of margins
+// that are, or whose product is, infinite; then the block is looked at again.)
+inline constexpr bool kWatched = kTurned && !kHalved && kIsa != Isa::kCounting;
 template <class V>
 HWY_INLINE V Watch(V so_far, V margin0, V margin1) {
   if constexpr (!kWatched) {
@@ -205,16 +264,9 @@ HWY_INLINE V Watch(V so_far, V margin0, V margin1) {
     return InRegister(Add(Add(so_far, margin0), margin1));
   }
 }
-template <bool kMayBeNaN, class D>
-HWY_INLINE bool AllDecided(D d, Vec<D> of_all, Vec<D> watch,
-                           TFromD<D> decided_above) {
-  const auto decided = Decided(d, of_all, decided_above);
-  if constexpr (kWatched && kMayBeNaN) {
-    return hn::AllTrue(d, And(decided, Eq(watch, watch)));
-  } else {
-    (void)watch;
-    return hn::AllTrue(d, decided);
-  }
+template <class D>
+HWY_INLINE bool NoneIsNaN(D d, Vec<D> watch) {
+  return !kWatched || hn::AllTrue(d, Eq(watch, watch));
 }
 
 // Which lanes a margin says are inside and which outside, as bits.

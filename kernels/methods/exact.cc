@@ -7,8 +7,9 @@
 //
 // Set-up: three lines and the bound t. Per point: 3 MulAdd, 2 subtractions, 2
 // Max or Min, and what tells whether all of a thousand points or two are
-// decided: the least of them; on AVX-512 a compare as well, before it a
-// multiply-add for two vectors. (Arm: 5 MulAdd, 2 Max or Min, And, compare.)
+// decided: the least of them; on AVX-512 a permutation and a compare for two
+// vectors, before it a multiply-add. (Arm: 5 MulAdd, 2 Max or Min, And,
+// compare.)
 // The two or three in 10^6 uniform f32 points that are not decided cost 3
 // determinants in double precision, and, where these cannot tell either, in
 // integers of as many bits as the exponents need; those around them are looked
