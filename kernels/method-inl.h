@@ -218,7 +218,7 @@ HWY_INLINE Vec<D> DoubleArea(const Triangles<D>& t) {
              Mul(Sub(t.By(), ay), Sub(t.Cx(), ax)));
 }
 
-#if HWY_TARGET == HWY_AVX3 && !defined(PITBENCH_COUNTING)
+#if HWY_TARGET == HWY_AVX3
 // Where v is neither 0 nor infinite nor NaN: where −|v| is finite and below 0.
 inline constexpr int kFiniteBelowZero = 0x40;
 template <class T>
@@ -231,24 +231,28 @@ HWY_INLINE hn::Mask512<float> FiniteNonZero(hn::Vec512<float> v) {
 HWY_INLINE hn::Mask512<double> FiniteNonZero(hn::Vec512<double> v) {
   return {_mm512_fpclass_pd_mask(MinusMagnitude(v).raw, kFiniteBelowZero)};
 }
-// The same in the lanes of `mask`.
-HWY_INLINE hn::Mask512<float> AndFiniteNonZero(hn::Mask512<float> mask,
-                                               hn::Vec512<float> v) {
-  return {_mm512_mask_fpclass_ps_mask(mask.raw, MinusMagnitude(v).raw,
-                                      kFiniteBelowZero)};
+// `value` with what stands in kResponses for the class of v: a digit each, from
+// the lowest, for a quiet NaN, a signalling one, 0, 1, −∞, +∞, below and above
+// 0. The digit 0 leaves `value`, 3 means NaN, 9 is −1 and A is 1. It spares a
+// compare, and each compare writes a mask, which is dear.
+template <unsigned kResponses>
+HWY_INLINE hn::Vec512<float> ByClass(hn::Vec512<float> value,
+                                     hn::Vec512<float> v) {
+  const auto responses = _mm512_set1_epi32(static_cast<int>(kResponses));
+  return {_mm512_fixupimm_ps(value.raw, v.raw, responses, 0)};
 }
-HWY_INLINE hn::Mask512<double> AndFiniteNonZero(hn::Mask512<double> mask,
-                                                hn::Vec512<double> v) {
-  return {_mm512_mask_fpclass_pd_mask(mask.raw, MinusMagnitude(v).raw,
-                                      kFiniteBelowZero)};
+template <unsigned kResponses>
+HWY_INLINE hn::Vec512<double> ByClass(hn::Vec512<double> value,
+                                      hn::Vec512<double> v) {
+  const auto responses = _mm512_set1_epi64(kResponses);
+  return {_mm512_fixupimm_pd(value.raw, v.raw, responses, 0)};
 }
-// Whether these take a vector of D: they spare a compare, and each compare
-// writes a mask, which is dear.
+// Whether these take a vector of D.
 template <class D>
-inline constexpr bool kHasFiniteNonZero = sizeof(Vec<D>) == 64;
+inline constexpr bool kHasClasses = sizeof(Vec<D>) == 64;
 #else
 template <class D>
-inline constexpr bool kHasFiniteNonZero = false;
+inline constexpr bool kHasClasses = false;
 #endif
 
 // Where `area` is neither 0 nor infinite nor NaN. An infinite or NaN coordinate
@@ -256,7 +260,7 @@ inline constexpr bool kHasFiniteNonZero = false;
 // all NaN elsewhere contains nothing then.
 template <class D>
 HWY_INLINE Mask<D> IsValidArea(D d, Vec<D> area) {
-  if constexpr (kHasFiniteNonZero<D>) {
+  if constexpr (kHasClasses<D>) {
     return FiniteNonZero(area);
   } else {
     const auto size = Abs(area);
@@ -268,15 +272,39 @@ HWY_INLINE Mask<D> IsValidArea(D d, Vec<D> area) {
 // `value` where the area is valid, NaN elsewhere.
 template <class D>
 HWY_INLINE Vec<D> ValidOrNaN(D d, Vec<D> area, Vec<D> value) {
-  return IfThenElse(IsValidArea(d, area), value,
-                    Set(d, std::numeric_limits<TFromD<D>>::quiet_NaN()));
+  if constexpr (kHasClasses<D>) {
+    return ByClass<0x330333>(value, area);
+  } else {
+    return IfThenElse(IsValidArea(d, area), value,
+                      Set(d, std::numeric_limits<TFromD<D>>::quiet_NaN()));
+  }
 }
 
 // +1 for a counter-clockwise triangle, −1 for a clockwise one, NaN for one
 // that contains nothing. A product with it is exact.
 template <class D>
 HWY_INLINE Vec<D> Winding(D d, Vec<D> area) {
-  return ValidOrNaN(d, area, hn::CopySignToAbs(Set(d, TFromD<D>{1}), area));
+  if constexpr (kHasClasses<D>) {
+    return ByClass<0xA933A333>(area, area);
+  } else {
+    return ValidOrNaN(d, area, hn::CopySignToAbs(Set(d, TFromD<D>{1}), area));
+  }
+}
+
+// `v` with its sign changed where that of `area` is set.
+template <class D>
+HWY_INLINE Vec<D> TurnedBy(D d, Vec<D> v, Vec<D> area) {
+  const auto sign = Set(d, TFromD<D>{-0.0});
+#if HWY_TARGET == HWY_AVX3
+  if constexpr (sizeof(v) == 64) {
+    const hn::RebindToUnsigned<D> du;
+    constexpr int kXorOfAnd = 0xF0 ^ (0xCC & 0xAA);
+    return hn::BitCast(d, Vec<decltype(du)>{_mm512_ternarylogic_epi64(
+                              hn::BitCast(du, v).raw, hn::BitCast(du, area).raw,
+                              hn::BitCast(du, sign).raw, kXorOfAnd)});
+  }
+#endif
+  return hn::Xor(v, And(area, sign));
 }
 
 // `mask` and a ≥ b (≤, <); false where a or b is NaN. AVX-512

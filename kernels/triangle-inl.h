@@ -36,25 +36,34 @@ HWY_INLINE Vertices<D> ValidVertices(D d, const Triangles<D>& t) {
           Held<D>(d, t.Cy())};
 }
 
-// The vertices counter-clockwise: B and C are exchanged in the triangles that
-// are clockwise, and A is NaN in those that are not valid.
+// The vertices with this A, and with B and C exchanged in the triangles that
+// are clockwise.
 template <class D>
-HWY_INLINE Vertices<D> CounterClockwise(D d, const Triangles<D>& t,
-                                        Mask<D> valid, Mask<D> clockwise) {
-  const auto nan = Set(d, std::numeric_limits<TFromD<D>>::quiet_NaN());
-  return {Held<D>(d, IfThenElse(valid, t.Ax(), nan)),
-          Held<D>(d, IfThenElse(valid, t.Ay(), nan)),
+HWY_INLINE Vertices<D> Exchanged(D d, const Triangles<D>& t, Vec<D> ax,
+                                 Vec<D> ay, Mask<D> clockwise) {
+  return {Held<D>(d, ax),
+          Held<D>(d, ay),
           Held<D>(d, IfThenElse(clockwise, t.Cx(), t.Bx())),
           Held<D>(d, IfThenElse(clockwise, t.Cy(), t.By())),
           Held<D>(d, IfThenElse(clockwise, t.Bx(), t.Cx())),
           Held<D>(d, IfThenElse(clockwise, t.By(), t.Cy()))};
 }
 
+// The vertices counter-clockwise; A is NaN in the triangles that are not valid.
+template <class D>
+HWY_INLINE Vertices<D> CounterClockwise(D d, const Triangles<D>& t,
+                                        Mask<D> valid, Mask<D> clockwise) {
+  const auto nan = Set(d, std::numeric_limits<TFromD<D>>::quiet_NaN());
+  return Exchanged(d, t, IfThenElse(valid, t.Ax(), nan),
+                   IfThenElse(valid, t.Ay(), nan), clockwise);
+}
+
 // The same by the sign of `area`, which is DoubleArea or better.
 template <class D>
 HWY_INLINE Vertices<D> CounterClockwise(D d, const Triangles<D>& t,
                                         Vec<D> area) {
-  return CounterClockwise(d, t, IsValidArea(d, area), Lt(area, Zero(d)));
+  return Exchanged(d, t, ValidOrNaN(d, area, t.Ax()),
+                   ValidOrNaN(d, area, t.Ay()), Lt(area, Zero(d)));
 }
 
 // The three cross products (v − P) × (w − P) of the edges vw: of BC, CA, AB.

@@ -117,7 +117,7 @@ class BarycentricDeterminant {
       (void)e;
       return v;
     } else {
-      return hn::Xor(v, And(area_.In(e), Set(e, TFromD<E>{-0.0})));
+      return TurnedBy(e, v, area_.In(e));
     }
   }
 
@@ -133,8 +133,8 @@ class BarycentricDeterminant {
   HWY_INLINE Mask<E> AndValidSumFits(E e, Mask<E> in, Vec<E> sum) const {
     const auto area = area_.In(e);
     const auto size = size_.In(e);
-    if constexpr (kHasFiniteNonZero<E>) {
-      return AndSumFits<E>(AndFiniteNonZero(in, area), sum, size);
+    if constexpr (kHasClasses<E>) {
+      return AndSumFits<E>(in, sum, ValidOrNaN(e, area, size));
     } else {
       // Half-open the area is not 0 if the sum, which is not below 0, is less.
       if constexpr (kBoundary == Boundary::kClosed || kFma) {

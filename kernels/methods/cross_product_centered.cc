@@ -55,10 +55,9 @@ class CrossProductCentered {
     CrossFromPoint<kFma>(vertices_, e, x, y, on_bc, on_ca, on_ab);
     if constexpr (kTurnsLater) {
       const auto area = area_.In(e);
-      const auto sign = And(area, Set(e, TFromD<E>{-0.0}));
-      return AllNonNegativeOfValid(e, hn::Xor(on_bc, sign),
-                                   hn::Xor(on_ca, sign), hn::Xor(on_ab, sign),
-                                   area);
+      return AllNonNegativeOfValid(e, TurnedBy(e, on_bc, area),
+                                   TurnedBy(e, on_ca, area),
+                                   TurnedBy(e, on_ab, area), area);
     } else if constexpr (kBoundary == Boundary::kClosed) {
       return AllNonNegative(e, on_bc, on_ca, on_ab);
     } else {
@@ -96,8 +95,8 @@ class CrossProductCentered {
   template <class E>
   static HWY_INLINE Mask<E> AllNonNegativeOfValid(E e, Vec<E> u, Vec<E> v,
                                                   Vec<E> w, Vec<E> area) {
-    if constexpr (kHasFiniteNonZero<E>) {
-      return AndFiniteNonZero(AllNonNegative(e, u, v, w), area);
+    if constexpr (kHasClasses<E>) {
+      return AllNonNegative(e, u, v, ValidOrNaN(e, area, w));
     } else {
       return And(AllNonNegative(e, u, v, NaNUnlessFinite(e, w, area)),
                  hn::Ne(area, Zero(e)));
