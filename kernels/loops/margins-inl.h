@@ -266,7 +266,11 @@ HWY_INLINE V Watch(V so_far, V margin0, V margin1) {
 }
 template <class D>
 HWY_INLINE bool NoneIsNaN(D d, Vec<D> watch) {
-  return !kWatched || hn::AllTrue(d, Eq(watch, watch));
+  if constexpr (kWatched) {
+    return hn::AllTrue(d, hn::Eq(watch, watch));
+  } else {
+    return true;
+  }
 }
 
 // Which lanes a margin says are inside and which outside, as bits.
