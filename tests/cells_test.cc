@@ -78,9 +78,9 @@ TEST_P(ProfileTest, EveryCellBelongsToExactlyOneShard) {
       ASSERT_EQ(shards, 1u) << kind << " " << name;
     }
   }
-  EXPECT_EQ(cells_of.size() + 4, Shards(profile_).size())
+  EXPECT_EQ(cells_of.size() + 5, Shards(profile_).size())
       << "names repeat, or there are other shards without cells than limits, "
-         "maps, operations and instructions";
+         "twice, maps, operations and instructions";
   for (const auto& [shard, cells] : cells_of) EXPECT_GT(cells, 0u) << shard;
 }
 
@@ -91,11 +91,19 @@ TEST_P(ProfileTest, MapsAreOneShard) {
   EXPECT_TRUE(std::regex_search("any name", std::regex(shards.back().filter)));
 }
 
-TEST_P(ProfileTest, LimitsAreTheFirstShard) {
-  const Shard first = Shards(profile_).front();
-  EXPECT_EQ(first.name, "limits");
-  EXPECT_EQ(first.kind, "limits");
-  EXPECT_TRUE(std::regex_search("load/L1/avx2", std::regex(first.filter)));
+TEST_P(ProfileTest, LimitsAreMeasuredBeforeAllSpeedAndAfterIt) {
+  std::vector<std::string> order;
+  for (const Shard& shard : Shards(profile_)) {
+    if (shard.kind == "limits") {
+      order.push_back(shard.name);
+      EXPECT_TRUE(std::regex_search("load/L1/avx2", std::regex(shard.filter)));
+    } else if (shard.kind == "speed" &&
+               (order.empty() || order.back() != "speed")) {
+      order.emplace_back("speed");
+    }
+  }
+  EXPECT_EQ(order,
+            (std::vector<std::string>{"limits", "speed", "limits_after"}));
 }
 
 TEST_P(ProfileTest, EverySceneOfAccuracyCanBeMade) {

@@ -46,11 +46,14 @@ CHOICE_COLUMNS: Final = [
 
 
 def choices(
-    by_cell: ByCell, cells: pd.DataFrame, methods: tuple[MethodEntry, ...]
+    by_cell: ByCell,
+    cells: pd.DataFrame,
+    methods: tuple[MethodEntry, ...],
+    alike: float = 1.0,
 ) -> pd.DataFrame:
     """One row a scene of the chart (CHOICE_COLUMNS): longest edges of 1 in a
     square of side 1, whole multiples of the last bit of 1. A scene for which no
-    method of the run is right has no row.
+    method of the run is right has no row. `alike`: as of choose.
     """
     rows: list[dict[str, Any]] = []
     for points in SHAPES:
@@ -63,18 +66,24 @@ def choices(
                     scene = scene_at(points, scalar, away, float(aspect), 0)
                     place = (points, scalar, away, float(aspect))
                     tight = 2.0 ** -np.linspace(0, digits + 4, _TIGHT)
-                    rows += _along(scene, place, options(scene, timed, methods), tight)
+                    found = options(scene, timed, methods)
+                    rows += _along(scene, place, found, tight, alike)
     return pd.DataFrame(rows, columns=CHOICE_COLUMNS)
 
 
 def _along(
-    scene: Scene, place: tuple[Any, ...], found: list[Option], tolerances: Any
+    scene: Scene,
+    place: tuple[Any, ...],
+    found: list[Option],
+    tolerances: Any,
+    alike: float,
 ) -> list[dict[str, Any]]:
     """The rows of one slimness: its bounds are the same at every tolerance."""
     rows = []
     for tolerance in map(float, tolerances):
         here = dataclasses.replace(scene, tolerance=tolerance)
-        right = ranked([o for o in found if is_right(here, o.bound, o.boundary)])
+        fit = [o for o in found if is_right(here, o.bound, o.boundary)]
+        right = ranked(fit, alike)
         if right:
             values = (*place, tolerance, right[0].name, right[0].bound.exact)
             values = (*values, right[0].bound.distance, right[0].ns)

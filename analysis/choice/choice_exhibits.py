@@ -26,6 +26,7 @@ from analysis.report.wording import (
     significant,
 )
 from analysis.speed.tables import samples
+from analysis.trust.placement import usual_spread
 
 # Stout triangles in a unit square, as random numbers have their digits; many
 # points a triangle. What is asked is what differs.
@@ -86,12 +87,14 @@ TYPICAL_COLUMNS: Final = (
 
 
 def add(exhibits: Exhibits, run: Run, cells: pd.DataFrame, footer: str) -> Guidance:
-    by_cell = samples(run.speed)
+    by_cell, alike = samples(run.speed), usual_spread(run.speed)
 
     def choice_of(given: Described) -> Choice:
-        return choose(checked(given), by_cell, cells, run.accuracy, run.methods)
+        return choose(
+            checked(given), by_cell, cells, run.accuracy, run.methods, alike=alike
+        )
 
-    chart = choices(by_cell, cells, run.methods)
+    chart = choices(by_cell, cells, run.methods, alike)
     if len(chart):
         exhibits.figure(
             choice_map(chart, footer),

@@ -4,7 +4,8 @@ Right means proved, not measured: the method's error bound (error_bounds.py) on
 what the scene says of its coordinates is within the tolerance that it states,
 which is 0 unless it states one; then only an exact method, or one that is exact
 on such coordinates, will do. Among those the measured time decides, and where
-its intervals cannot, the stronger guarantee.
+its intervals cannot, or it differs no more than by where code lies in memory, the
+stronger guarantee.
 
     scene → what could answer it, with times (choose_times.py)
           → which of these are right (error_bounds.py) → the cheapest
@@ -83,11 +84,17 @@ class Choice:
     right: int
     candidates: int
     measured: tuple[Measured, ...] = ()
+    alike: float = 1.0  # times that surely differ by no more than this are alike
 
     @property
     def nothing_inexact_is_safe(self) -> bool:
         inexact = self.best_inexact
         return inexact is None or not inexact.right
+
+    def as_fast(self, option: Option) -> bool:
+        """As the chosen one, as far as can be told."""
+        assert self.chosen is not None
+        return slower(option, self.chosen).low <= self.alike
 
     @property
     def ns(self) -> float:
@@ -102,14 +109,17 @@ def choose(
     accuracy: pd.DataFrame,
     methods: tuple[MethodEntry, ...],
     isa: str | None = None,
+    alike: float = 1.0,
 ) -> Choice:
-    """The choice for a scene from the tables of a run."""
+    """The choice for a scene from the tables of a run. `alike`: what moving code
+    changes there (trust.placement.usual_spread).
+    """
     timed = timings(scene, by_cell, cells, methods, isa)
     plain: list[Timing] = []
     if scene.need == "weights":
         decided = dataclasses.replace(scene, need="class")
         plain = timings(decided, by_cell, cells, methods, isa)
-    choice = decide(scene, timed, methods, plain)
+    choice = decide(scene, timed, methods, plain, alike)
     if choice.chosen is None:
         return choice
     return dataclasses.replace(
@@ -122,20 +132,21 @@ def decide(
     timed: list[Timing],
     methods: tuple[MethodEntry, ...],
     plain: list[Timing] | None = None,
+    alike: float = 1.0,
 ) -> Choice:
     """The choice among kernels whose times are known. `plain`: those that give
     no weights; where weights are needed and no method that gives them is right,
     one of these decides and another weighs.
     """
     found = options(scene, timed, methods)
-    right = ranked([option for option in found if option.right])
+    right = ranked([option for option in found if option.right], alike)
     weigher = None
     if scene.need == "weights" and not right:
-        weighers = ranked([o for o in found if math.isfinite(o.weights)])
+        weighers = ranked([o for o in found if math.isfinite(o.weights)], alike)
         weigher = weighers[0] if weighers else None
         decided = dataclasses.replace(scene, need="class")
         others = options(decided, plain or [], methods)
-        right = ranked([o for o in others if o.right]) if weigher else []
+        right = ranked([o for o in others if o.right], alike) if weigher else []
         found = others + found
     chosen = right[0] if right else None
     inexact = [o for o in found if not o.bound.exact]
@@ -149,6 +160,7 @@ def decide(
         best_inexact=_least(inexact, lambda o: (o.bound.distance, o.ns)),
         right=len(right),
         candidates=len({option.name for option in found}),
+        alike=alike,
     )
 
 
@@ -158,9 +170,9 @@ def _least(
     return min(found, key=key) if found else None
 
 
-def ranked(found: list[Option]) -> list[Option]:
-    """The cheapest first. Those whose time the intervals cannot tell from the
-    cheapest one's stand before the others, the strongest guarantee first. Of a
+def ranked(found: list[Option], alike: float = 1.0) -> list[Option]:
+    """The cheapest first. Those that surely take no more than `alike` times as long
+    as the cheapest one stand before the others, the strongest guarantee first. Of a
     method in several loops or scalars only the cheapest is listed.
     """
     once: dict[str, Option] = {}
@@ -169,9 +181,9 @@ def ranked(found: list[Option]) -> list[Option]:
     if not once:
         return []
     best = next(iter(once.values()))
-    alike = [o for o in once.values() if slower(o, best).low <= 1]
-    rest = [o for o in once.values() if slower(o, best).low > 1]
-    return sorted(alike, key=_guarantee) + rest
+    equals = [o for o in once.values() if slower(o, best).low <= alike]
+    rest = [o for o in once.values() if slower(o, best).low > alike]
+    return sorted(equals, key=_guarantee) + rest
 
 
 def slower(option: Option, than: Option) -> Interval:

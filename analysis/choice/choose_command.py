@@ -16,6 +16,7 @@ from analysis.peers.peers_tables import part
 from analysis.read.read_json import LoadError
 from analysis.read.run import Run
 from analysis.speed.tables import samples, speed_cells
+from analysis.trust.placement import usual_spread
 
 RESULTS: Final = RUNS.parent.parent / "results"
 
@@ -177,10 +178,11 @@ def chooser(whole: Run, isa: str | None = None) -> Callable[[Described], Choice]
         known = ", ".join(sorted(set(ours.speed["isa"])))
         raise LoadError(f"--isa {isa}: run {whole.name} has rows of {known} only")
     by_cell, cells = samples(ours.speed), speed_cells(ours.speed)
+    alike = usual_spread(ours.speed)
 
     def choose_there(given: Described) -> Choice:
         scene = checked(given)
-        return choose(scene, by_cell, cells, ours.accuracy, ours.methods, isa)
+        return choose(scene, by_cell, cells, ours.accuracy, ours.methods, isa, alike)
 
     return choose_there
 

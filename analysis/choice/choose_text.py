@@ -171,8 +171,8 @@ def runners_up(choice: Choice) -> list[str]:
 def _times_as_long(option: Option, choice: Choice) -> str:
     assert choice.chosen is not None
     ratio = slower(option, choice.chosen)
-    if ratio.low <= 1 <= ratio.high:
-        return "as fast as far as the intervals can tell"
+    if choice.as_fast(option):
+        return "as fast as far as can be told"
     return f"{times(ratio.value)} as long"
 
 
@@ -239,9 +239,9 @@ def _why_cheapest(choice: Choice) -> str:
     text = f"Cheapest of {counted(choice.right, 'method')} that are right here"
     if choice.right == 1:
         text = "The only method that is right here"
-    alike = [o.name for o in choice.runners_up if slower(o, chosen).low <= 1]
+    alike = [o.name for o in choice.runners_up if choice.as_fast(o)]
     if alike:
-        text += f", with {listed(alike)} as fast as far as the intervals can tell"
+        text += f", with {listed(alike)} as fast as far as can be told"
     points = choice.scene.points
     if choice.scene.grid is None and 1 <= points < MANY:
         text += f", at {counted(round(points), 'point')} a triangle"

@@ -50,6 +50,7 @@ COPIED: Final = {
     "sweep.json": "sweep.json",
     "methods.json": "methods.json",
     "limits.json": "limits.json.gz",
+    "limits_after.json": "limits_after.json.gz",
     "operations.json": "operations.json.gz",
 }
 _DIGITS: Final = 5
@@ -168,7 +169,7 @@ def load_stored(folder: Path) -> Run:
         load.shard_of(entry["name"], {**entry, "filter": entry["filter"]})
         for entry in document["shards"]
     )
-    limits, counts = folder / "limits.json.gz", folder / "operations.json.gz"
+    counts = folder / "operations.json.gz"
     methods, scenes, writes = load.catalogue(folder / "methods.json")
     return Run(
         name=folder.resolve().name,
@@ -181,7 +182,7 @@ def load_stored(folder: Path) -> Run:
         worst=pd.DataFrame(columns=WORST_COLUMNS),
         methods=methods,
         scenes=scenes,
-        limits=load_limits(limits, same_run) if limits.exists() else None,
+        limits=load_limits(folder, same_run, packed=".gz"),
         operations=(
             load_operations(counts, same_run) if counts.exists() else no_operations()
         ),

@@ -1,4 +1,5 @@
-"""What the machine can do at most, by ISA and scalar (limits.json).
+"""What the machine can do at most, by ISA and scalar (limits.json, and again after
+the methods were timed, limits_after.json).
 
 A limit is the best that a probe reached, and also the best that any narrower
 ISA reached, since code for a wide one may use what a narrower one has; and data
@@ -49,12 +50,16 @@ class Level:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Limits:
-    """levels: nearest first; memory, operations: the columns above."""
+    """levels: nearest first; memory, operations: the columns above; moved: of the
+    two, if they were measured twice, the least and the largest ratio of the later to
+    the earlier rate.
+    """
 
     levels: tuple[Level, ...]
     memory: pd.DataFrame
     operations: pd.DataFrame
     clock_ghz: float
+    moved: dict[str, tuple[float, float]] = dataclasses.field(default_factory=dict)
 
     def shares(self, size: float) -> dict[str, float]:
         """Level → the share of a set of so many bytes, read over and over, that

@@ -88,7 +88,6 @@ def load_run(folder: Path) -> Run:
     methods, scenes, writes = catalogue(declared_in)
     judged, worst = accuracy.frames()
     maps = folder / "maps.json"
-    limits = folder / "limits.json"
     counts = folder / "operations.json"
     traces = folder / "instructions.json"
     traced = load_instructions(traces, same_run) if traces.exists() else Traces()
@@ -104,7 +103,7 @@ def load_run(folder: Path) -> Run:
         methods=methods,
         scenes=scenes,
         maps=load_maps(maps, same_run) if maps.exists() else Maps(),
-        limits=load_limits(limits, same_run) if limits.exists() else None,
+        limits=load_limits(folder, same_run),
         operations=(
             load_operations(counts, same_run) if counts.exists() else no_operations()
         ),

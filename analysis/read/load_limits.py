@@ -1,10 +1,11 @@
-"""limits.json as Limits."""
+"""limits.json, and limits_after.json if it is there, as Limits."""
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import pandas as pd
 
@@ -13,8 +14,52 @@ from analysis.read.limits import MEMORY_COLUMNS, OPERATION_COLUMNS, Level, Limit
 from analysis.read.read_json import LoadError, read_json
 
 
-def load_limits(path: Path, same_run: SameRun) -> Limits:
-    """Raises LoadError, which names the file and the field."""
+FILES: Final = ("limits.json", "limits_after.json")
+# What names a limit; a limit is named once in a file.
+_MEMORY_KEYS: Final = ["isa", "scalars", "level", "access", "streams"]
+_OPERATION_KEYS: Final = ["isa", "scalar", "operation"]
+
+
+def load_limits(folder: Path, same_run: SameRun, packed: str = "") -> Limits | None:
+    """Those of the run in `folder`, None if it has none; `packed`: what follows the
+    files' names, ".gz" in a stored run. Of what was measured twice the better counts.
+    Raises LoadError, which names the file and the field.
+    """
+    first, after = (folder / (name + packed) for name in FILES)
+    if not first.exists():
+        return None
+    limits = _limits(first, same_run)
+    return (
+        _joined(limits, _limits(after, same_run), after) if after.exists() else limits
+    )
+
+
+def _joined(first: Limits, again: Limits, path: Path) -> Limits:
+    if first.levels != again.levels:
+        raise LoadError(f"{path}: $.levels: other levels than in {FILES[0]}")
+    parts = [
+        ("memory", _MEMORY_KEYS, "bytes_per_second"),
+        ("operations", _OPERATION_KEYS, "operations_per_second"),
+    ]
+    better, moved = {}, {}
+    for part, keys, rate in parts:
+        tables = [getattr(limits, part) for limits in (first, again)]
+        ordered = pd.concat(tables).sort_values(rate, ascending=False, kind="stable")
+        better[part] = ordered.drop_duplicates(keys).sort_index(kind="stable")
+        before, later = (table.set_index(keys)[rate] for table in tables)
+        ratios = (later / before).dropna()
+        if len(ratios):
+            moved[part] = (float(ratios.min()), float(ratios.max()))
+    return dataclasses.replace(
+        first,
+        memory=better["memory"].reset_index(drop=True),
+        operations=better["operations"].reset_index(drop=True),
+        clock_ghz=(first.clock_ghz + again.clock_ghz) / 2,
+        moved=moved,
+    )
+
+
+def _limits(path: Path, same_run: SameRun) -> Limits:
     document = read_json(path, "limits")
     context = document["context"]
     same_run.check(path, "$.context", context)
@@ -31,8 +76,8 @@ def load_limits(path: Path, same_run: SameRun) -> Limits:
             raise LoadError(
                 f"{path}: $.memory[{index}].level: {row['level']} is not in $.levels"
             )
-    _refuse_twice(path, "memory", document, ("isa", "scalars", "level", "access"))
-    _refuse_twice(path, "operations", document, ("isa", "scalar", "operation"))
+    _refuse_twice(path, "memory", document, _MEMORY_KEYS)
+    _refuse_twice(path, "operations", document, _OPERATION_KEYS)
     memory = [{**row, "scalars": tuple(row["scalars"])} for row in document["memory"]]
     return Limits(
         levels=levels,
@@ -52,12 +97,12 @@ def _level(entry: dict[str, Any]) -> Level:
 
 
 def _refuse_twice(
-    path: Path, part: str, document: dict[str, Any], keys: tuple[str, ...]
+    path: Path, part: str, document: dict[str, Any], keys: list[str]
 ) -> None:
     """A limit that is there twice says two things."""
     seen = set()
     for index, row in enumerate(document[part]):
-        key = (*(str(row[k]) for k in keys), row.get("streams"))
+        key = tuple(str(row[k]) for k in keys)
         if key in seen:
             raise LoadError(f"{path}: $.{part}[{index}]: the limit is there twice")
         seen.add(key)

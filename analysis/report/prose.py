@@ -146,7 +146,7 @@ def advice(report: Report) -> dict[str, Any] | None:
             ),
         }
 
-    told = {taken.most_right, *taken.as_fast}
+    told = {taken.most_right, *taken.as_right, *taken.as_fast}
     others = [method for method in taken.alike if method not in told]
     least = table.loc[taken.most_right, "error_rate"]
     published = table[table["accepts"].fillna(WHOLE) != WHOLE]
@@ -156,6 +156,8 @@ def advice(report: Report) -> dict[str, Any] | None:
         "most_right": words(taken.most_right),
         "cost": times(taken.cost),
         "cost_interval": between(taken.cost_low, taken.cost_high),
+        "as_right": listed(list(taken.as_right)),
+        "as_right_count": len(taken.as_right),
         "alike": listed(others),
         "as_fast": listed(list(taken.as_fast)),
         "as_fast_count": len(taken.as_fast),

@@ -40,6 +40,7 @@ from analysis.speed.input_tables import most_telling, of_comparisons
 from analysis.speed.layout_tables import add_layouts
 from analysis.trust import noise
 from analysis.trust.noisy_marks import noise_note
+from analysis.trust.placement import usual_spread
 from analysis.trust.trust_exhibits import add_trust
 
 MAIN_LOOP = "one_triangle"
@@ -154,7 +155,7 @@ def build(whole: Run, stored: Sequence[Run] = ()) -> Report:
         timed=timed,
         cells=cells,
         verdicts=table,
-        advice=advise(table, left_out) if len(table) else None,
+        advice=advise(table, left_out, usual_spread(run.speed)) if len(table) else None,
         agreement=accuracy_tables.isa_agreement(run.accuracy),
         scalar=scalar,
         isa=isa,

@@ -16,6 +16,7 @@ from analysis.charts.palette import method_rank
 from analysis.read.run import MethodEntry
 from analysis.report.wording import between, listed, share, times
 from analysis.speed.tables import samples, widest_isa
+from analysis.trust.placement import usual_spread
 from analysis.trust.stats import Interval, ratio_interval, wilson
 
 WHOLE = "triangle"  # the method decides the whole triangle
@@ -30,12 +31,14 @@ Samples = dict[tuple[str, str], npt.NDArray[np.float64]]
 @dataclasses.dataclass(frozen=True)
 class Advice:
     """Which method to take. most_right is the fastest of those that err as
-    rarely as the best, as far as the intervals can tell; `alike` are those.
+    rarely as the best, as far as the intervals can tell; `alike` are those. Of
+    several that are as fast it is the one that the report lists first.
     """
 
     fastest: str
     as_fast: tuple[str, ...]  # the others whose interval holds its time
     most_right: str
+    as_right: tuple[str, ...]  # the others of `alike` that are as fast
     alike: tuple[str, ...]
     cost: float  # time of most_right over that of fastest
     cost_low: float
@@ -83,6 +86,7 @@ def verdicts(
     by_cell = samples(speed)
     fastest = _fastest(rows, left_out)
     base = by_cell[fastest["shard"], fastest["name"]]
+    same = usual_spread(speed)
     ratios = []
     for _, row in rows.iterrows():
         own = by_cell[row["shard"], row["name"]]
@@ -100,8 +104,29 @@ def verdicts(
         time_over_best_high=[ratio.high for ratio in ratios],
         **extra,
     )
-    texts = [_verdict(row, table, by_cell) for _, row in table.iterrows()]
+    against = _Times(by_cell, same)
+    texts = [_verdict(row, table, against) for _, row in table.iterrows()]
     return table.assign(verdict=texts)
+
+
+@dataclasses.dataclass(frozen=True)
+class _Times:
+    """by_cell: the repetitions; same: up to this ratio times are alike, as moving
+    code changes as much (trust.placement.usual_spread).
+    """
+
+    by_cell: Samples
+    same: float
+
+    def ratio(self, top: pd.Series, bottom: pd.Series) -> Interval:
+        """How many times as long as `bottom` the row `top` takes."""
+        return ratio_interval(
+            *(self.by_cell[r["shard"], r["name"]] for r in (top, bottom))
+        )
+
+    def longer(self, top: pd.Series, bottom: pd.Series) -> bool:
+        """Whether it surely takes longer."""
+        return self.ratio(top, bottom).low > self.same
 
 
 def _fastest(rows: pd.DataFrame, left_out: frozenset[str]) -> pd.Series:
@@ -113,10 +138,10 @@ def _fastest(rows: pd.DataFrame, left_out: frozenset[str]) -> pd.Series:
 
 
 def advise(
-    table: pd.DataFrame, left_out: frozenset[str] = frozenset()
+    table: pd.DataFrame, left_out: frozenset[str] = frozenset(), same: float = 1.0
 ) -> Advice | None:
     """From the table of verdicts, made with the same methods left out; None if
-    no answer was judged.
+    no answer was judged. `same`: up to this ratio times are alike.
     """
     known = table[(table["accepts"] == WHOLE) & table["error_rate"].notna()]
     fit = known[~known["method"].isin(left_out)]
@@ -126,16 +151,22 @@ def advise(
     fastest = known.loc[known["ns"].idxmin()]
     best_high = known.loc[known["error_rate"].idxmin(), "error_rate_high"]
     alike = known[known["error_rate_low"] <= best_high]
-    most_right = alike.loc[alike["ns"].idxmin()]
+    quickest = alike.loc[alike["ns"].idxmin()]
+    until = quickest["time_over_best"] * same
+    equals = sorted(
+        alike[alike["time_over_best_low"] <= until]["method"], key=method_rank
+    )
+    most_right = alike[alike["method"] == equals[0]].iloc[0]
     return Advice(
         fastest=fastest["method"],
         as_fast=tuple(
             known[
-                (known["time_over_best_low"] <= 1)
+                (known["time_over_best_low"] <= same)
                 & (known["method"] != fastest["method"])
             ]["method"]
         ),
         most_right=most_right["method"],
+        as_right=tuple(equals[1:]),
         alike=tuple(sorted(alike["method"], key=method_rank)),
         cost=most_right["time_over_best"],
         cost_low=most_right["time_over_best_low"],
@@ -143,7 +174,7 @@ def advise(
     )
 
 
-def _verdict(row: pd.Series, table: pd.DataFrame, by_cell: Samples) -> str:
+def _verdict(row: pd.Series, table: pd.DataFrame, against: _Times) -> str:
     if pd.isna(row["error_rate"]):
         return "its answers were not judged in this run"
     if row["accepts"] != WHOLE:
@@ -156,26 +187,30 @@ def _verdict(row: pd.Series, table: pd.DataFrame, by_cell: Samples) -> str:
     better = whole[
         (whole["ns"] <= row["ns"])
         & (whole["error_rate"] <= row["error_rate"])
-        & ((whole["ns"] < row["ns"]) | (whole["error_rate"] < row["error_rate"]))
+        & [
+            other["error_rate"] < row["error_rate"] or against.longer(row, other)
+            for _, other in whole.iterrows()
+        ]
     ]
     if len(better):
         order = better.sort_values(["error_rate", "ns"])
-        return _beaten(row, order.iloc[0], by_cell)
-    return _on_frontier(row, whole, by_cell)
+        first = order.iloc[0]
+        equals = [
+            other
+            for _, other in order.iterrows()
+            if other["error_rate"] == first["error_rate"]
+            and not against.longer(other, first)
+        ]
+        best = min(equals, key=lambda other: method_rank(other["method"]))
+        return _beaten(row, best, against)
+    return _on_frontier(row, whole, against)
 
 
-def _time_ratio(top: pd.Series, bottom: pd.Series, by_cell: Samples) -> Interval:
-    """How many times as long as `bottom` the row `top` takes."""
-    return ratio_interval(
-        by_cell[top["shard"], top["name"]], by_cell[bottom["shard"], bottom["name"]]
-    )
-
-
-def _beaten(row: pd.Series, by: pd.Series, by_cell: Samples) -> str:
-    quicker = _time_ratio(row, by, by_cell)
+def _beaten(row: pd.Series, by: pd.Series, against: _Times) -> str:
+    quicker = against.ratio(row, by)
     fast = (
         "takes as long"
-        if quicker.low <= 1
+        if quicker.low <= against.same
         else f"is {times(quicker.value)} as fast ({between(quicker.low, quicker.high)})"
     )
     if by["error_rate"] == row["error_rate"]:
@@ -193,7 +228,7 @@ def _beaten(row: pd.Series, by: pd.Series, by_cell: Samples) -> str:
     return f"{by['method']} {fast} and {right}"
 
 
-def _on_frontier(row: pd.Series, whole: pd.DataFrame, by_cell: Samples) -> str:
+def _on_frontier(row: pd.Series, whole: pd.DataFrame, against: _Times) -> str:
     fastest = row["ns"] == whole["ns"].min()
     rightest = row["error_rate"] == whole["error_rate"].min()
     if fastest:
@@ -201,7 +236,7 @@ def _on_frontier(row: pd.Series, whole: pd.DataFrame, by_cell: Samples) -> str:
         equals = [
             str(other["method"])
             for _, other in others.iterrows()
-            if _time_ratio(other, row, by_cell).low <= 1
+            if not against.longer(other, row)
         ]
         fast = f"as fast as {listed(equals)}" if equals else "the fastest"
         if rightest:

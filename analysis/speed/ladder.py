@@ -23,7 +23,7 @@ from analysis.report.columns import near_interval, number, ratio, sentence, word
 from analysis.report.exhibits import Exhibits
 from analysis.report.wording import share, significant
 from analysis.speed import tables
-from analysis.trust.placement import placements, spreads
+from analysis.trust.placement import usual_spread
 from analysis.trust.stats import ratio_interval
 
 # Each with the ISAs below it, nearest first.
@@ -143,9 +143,7 @@ def explanation(
 
 def add(exhibits: Exhibits, run: Run, cells: pd.DataFrame) -> Ladder:
     steps = ladder_steps(run.speed, cells)
-    moved = spreads(run.speed, placements(run.speed))
-    spread = float(moved["spread"].median()) if len(moved) else math.nan
-    slower = slower_steps(steps, run.instructions, spread)
+    slower = slower_steps(steps, run.instructions, usual_spread(run.speed))
     if len(slower):
         exhibits.table(
             "slower_than_below",

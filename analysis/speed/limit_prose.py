@@ -52,6 +52,17 @@ def limit_facts(
                 if value == value
             ]
         ),
+        "moved": listed(
+            [
+                f"{words} {low:.2f} to {high:.2f}"
+                for words, part in (
+                    ("bandwidths", "memory"),
+                    ("operations", "operations"),
+                )
+                if part in limits.moved
+                for low, high in [limits.moved[part]]
+            ]
+        ),
         "cells": counted(len(cells), "cell"),
         "with_counts": with_counts,
         "without_counts": len(cells) - with_counts,

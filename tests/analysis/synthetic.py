@@ -112,6 +112,7 @@ def documents(options: Options = Options()) -> dict[str, Any]:
     )
     if options.limits_json:
         files["limits.json"] = synthetic_limits.limits(context, options.isas)
+        files["limits_after.json"] = files["limits.json"]
     files |= synthetic_costs.documents(
         context, options.methods, options.scalars, options.isas
     )

@@ -52,7 +52,9 @@ def same_run(folder: Path) -> SameRun:
 def loaded(folder: Path, document: dict[str, Any]) -> Limits:
     path = folder / "limits.json"
     path.write_text(json.dumps(document))
-    return load_limits(path, same_run(folder))
+    found = load_limits(folder, same_run(folder))
+    assert found is not None
+    return found
 
 
 @pytest.fixture

@@ -133,6 +133,10 @@ def test_among_equally_fast_ones_the_stronger_guarantee_is_taken() -> None:
     choice = decide(scene(tolerance=0.01), slower, ENTRIES)
     assert choice.chosen is not None and choice.chosen.name == "edge_function"
     assert [o.name for o in choice.runners_up] == ["exact"]
+    # Where moving code changes as much, neither is the faster one.
+    choice = decide(scene(tolerance=0.01), slower, ENTRIES, alike=1.2)
+    assert choice.chosen is not None and choice.chosen.name == "exact"
+    assert [choice.as_fast(o) for o in choice.runners_up] == [True]
 
 
 def test_a_method_is_listed_once_in_its_cheapest_form() -> None:

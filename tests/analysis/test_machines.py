@@ -54,7 +54,8 @@ def test_what_is_kept_says_the_same(run: Path, tmp_path: Path) -> None:
     pd.testing.assert_frame_equal(first, second, check_dtype=False, rtol=1e-9)
     assert (whole.machine, whole.methods) == (kept.machine, kept.methods)
     assert (run_labels.label_of(kept), kept.profile) == (whole.machine.model, "quick")
-    assert kept.limits is not None and len(kept.operations) == len(whole.operations)
+    assert kept.limits is not None and kept.limits.moved == whole.limits.moved != {}
+    assert len(kept.operations) == len(whole.operations)
 
 
 def test_the_same_run_gives_the_same_bytes(run: Path, tmp_path: Path) -> None:

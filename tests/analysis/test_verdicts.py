@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import pandas as pd
 import pytest
 
 from analysis.read.run import MethodEntry
-from analysis.report.verdicts import NOTICED, unfit, verdicts
+from analysis.report.verdicts import NOTICED, advise, unfit, verdicts
 from analysis.speed.tables import speed_cells
 from tests.analysis.test_tables import FRESH, accuracy_frame, name, speed_frame
 
@@ -70,22 +71,35 @@ STEADY = [1 + k / 900 for k in range(9)]
 HARD = "near_edge:ulps=1"
 
 
-def said(times: dict[str, float], wrong: dict[str, int]) -> dict[str, str]:
-    """Method → its verdict."""
-    speed = speed_frame(
-        {
-            name(method, "avx2", FRESH): [factor * t for t in STEADY]
-            for method, factor in times.items()
-        }
-    )
-    judged = accuracy_frame(
+def said(
+    times: dict[str, float], wrong: dict[str, int], moved: float = 1.0
+) -> dict[str, str]:
+    """Method → its verdict, where moving the code of the first one makes it take
+    `moved` times as long.
+    """
+    table = judged(times, wrong, moved)
+    return dict(zip(table["method"], table["verdict"]))
+
+
+def judged(
+    times: dict[str, float], wrong: dict[str, int], moved: float = 1.0
+) -> pd.DataFrame:
+    cells = {
+        name(method, "avx2", FRESH): [factor * t for t in STEADY]
+        for method, factor in times.items()
+    }
+    if moved != 1:
+        first, own = next(iter(cells.items()))
+        cells[first + "/placed_16"] = [moved * t for t in own]
+    speed = speed_frame(cells)
+    accuracy = accuracy_frame(
         {
             name(method, "avx2", HARD): (5000, count, 5000, 0)
             for method, count in wrong.items()
         }
     )
-    table = verdicts(speed, speed_cells(speed), judged, "f32")
-    return dict(zip(table["method"], table["verdict"]))
+    plain = speed[speed["control"] == ""]
+    return verdicts(speed, speed_cells(plain), accuracy, "f32")
 
 
 def test_the_fastest_is_one_that_the_intervals_tell_from_all_others() -> None:
@@ -106,3 +120,26 @@ def test_what_beats_a_method_is_named_with_intervals() -> None:
     assert said({"a": 1.0, "b": 1.002}, {"a": 100, "b": 1000})["b"].startswith(
         "a takes as long"
     )
+
+
+def test_what_moving_code_changes_makes_no_method_the_faster_one() -> None:
+    times = {"exact": 1.1, "exact_open": 1.08, "fast": 1.0}
+    wrong = {"exact": 0, "exact_open": 0, "fast": 900}
+    found = said(times, wrong)
+    assert "exact_open is 1.02" in found["exact"].replace("\u00a0", " ")
+    moved = said(times, wrong, moved=1.05)
+    assert moved["exact"] == moved["exact_open"]
+    assert moved["exact"].startswith("does not err near an edge")
+    advice = advise(judged(times, wrong), same=1.05)
+    assert advice is not None and advice.fastest == "fast"
+    assert (advice.most_right, advice.as_right) == ("exact", ("exact_open",))
+    strict = advise(judged(times, wrong))
+    assert strict is not None
+    assert (strict.most_right, strict.as_right) == ("exact_open", ())
+
+
+def test_a_method_is_sent_to_the_first_of_those_that_are_as_fast() -> None:
+    times = {"slow": 2.0, "exact_open": 1.0, "exact": 1.02}
+    wrong = {"slow": 10, "exact_open": 0, "exact": 0}
+    assert said(times, wrong)["slow"].startswith("exact_open is")
+    assert said(times, wrong, moved=1.05)["slow"].startswith("exact is")
