@@ -24,13 +24,22 @@ endif()
 
 # What the kernels are made of, so that results tell themselves from those of
 # other kernels whatever else a revision changed: SHA-256 over the lines
-# "PATH SHA-256" of the files below, by path. analysis/read/kernel_hash.py does the same.
+# "PATH SHA-256" of the files below, by path, without comments and empty lines,
+# as these change no kernel. analysis/read/kernel_hash.py does the same.
 file(GLOB_RECURSE KERNELS RELATIVE ${SOURCE} ${SOURCE}/kernels/*.cc
   ${SOURCE}/kernels/*.h ${SOURCE}/kernels/*.inc ${SOURCE}/kernels/CMakeLists.txt)
 list(SORT KERNELS)
 set(LINES "")
 foreach(FILE ${KERNELS})
-  file(SHA256 ${SOURCE}/${FILE} DIGEST)
+  file(READ ${SOURCE}/${FILE} CODE)
+  if(FILE MATCHES "CMakeLists.txt$")
+    string(REGEX REPLACE "\n[ \t]*#[^\n]*" "" CODE "\n${CODE}")
+  else()
+    string(REGEX REPLACE "[ \t]*//[^\n]*" "" CODE "${CODE}")
+  endif()
+  string(REGEX REPLACE "\n+" "\n" CODE "${CODE}")
+  string(STRIP "${CODE}" CODE)
+  string(SHA256 DIGEST "${CODE}")
   string(APPEND LINES "${FILE} ${DIGEST}\n")
 endforeach()
 string(SHA256 KERNEL_HASH "${LINES}")

@@ -237,7 +237,15 @@ def test_the_hash_of_the_kernels_follows_their_text_and_names(tmp_path: Path) ->
     (folder / "a.cc").rename(folder / "b.cc")
     second = kernel_hash(tmp_path)
     (folder / "b.cc").write_text("int b;")
-    assert len({first, second, kernel_hash(tmp_path)}) == 3
+    third = kernel_hash(tmp_path)
+    assert len({first, second, third}) == 3
+    (folder / "b.cc").write_text("// What b is for.\n\n  // More.\nint b;  // b\n")
+    assert kernel_hash(tmp_path) == third
+    build = folder.parent / "CMakeLists.txt"
+    build.write_text("add(b)\n")
+    fourth = kernel_hash(tmp_path)
+    build.write_text("# Builds b.\nadd(b)\n  # More.\n")
+    assert kernel_hash(tmp_path) == fourth != third
 
 
 def test_the_build_and_the_analysis_give_the_same_hash(tmp_path: Path) -> None:
