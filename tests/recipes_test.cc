@@ -1,8 +1,9 @@
 // The recipes that people call exact: each is right for hard inputs inside the
-// domain that its file states, and wrong for one just outside. Truth is exact
-// arithmetic.
+// domain that its file states, and wrong for one just outside, which
+// report/recipes.csv has. Truth is exact arithmetic.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,7 @@
 #include "harness/truth/truth.h"
 #include "kernels/kernels.h"
 #include "tests/kernel_answers.h"
+#include "tests/worst_rows.h"
 
 namespace pitbench {
 namespace {
@@ -156,22 +158,67 @@ void ExpectRight(std::string_view method,
   }
 }
 
-// Every kernel of the method, in every loop, errs on this input.
+// What a line of report/recipes.csv has after method and scalar.
+enum Field : std::size_t { kRightWhere = 2, kOutside, kFirstCoordinate };
+constexpr std::size_t kTruth = kFirstCoordinate + 8;
+
+Rows ReadRecipes() {
+  return ReadWorstRows(PITBENCH_TESTS_DIR "/../report/recipes.csv",
+                       "method,scalar,right_where,outside,ax,ay,bx,by,cx,cy,px,"
+                       "py,truth");
+}
+
+// Every kernel of the method, in every loop, errs on the row's input.
 template <class T>
-void ExpectWrong(std::string_view method, const Input<T>& input,
-                 Position truth) {
-  ASSERT_EQ(Classify(input.t, input.p), truth);
+void ExpectWrong(const Row& row) {
+  std::array<T, 8> x{};
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double value = std::stod(row[kFirstCoordinate + k]);
+    x[k] = static_cast<T>(value);
+    EXPECT_EQ(static_cast<double>(x[k]), value);
+  }
+  const Triangle<T> t{{x[0], x[1]}, {x[2], x[3]}, {x[4], x[5]}};
+  const Point<T> p{x[6], x[7]};
+  EXPECT_EQ(Name(Classify(t, p)), row[kTruth]);
   std::size_t asked = 0;
   for (const Kernel* kernel : FloatInsideKernels()) {
-    if (kernel->method.key != method || kernel->scalar != ScalarOf<T>()) {
+    if (kernel->method.key != row[0] || kernel->scalar != ScalarOf<T>()) {
       continue;
     }
     ++asked;
-    EXPECT_NE(Says(*kernel, input.t, input.p),
-              Expected(kernel->method, input.t, input.p))
+    EXPECT_NE(Says(*kernel, t, p), Expected(kernel->method, t, p))
         << NameOf(*kernel);
   }
   if (asked == 0) GTEST_SKIP() << "no ISA with FMA runs here";
+}
+
+TEST(RecipesTest, EachIsWrongJustOutsideItsDomain) {
+  const Rows rows = ReadRecipes();
+  EXPECT_FALSE(rows.empty());
+  for (const auto& [key, row] : rows) {
+    SCOPED_TRACE(key.first + " " + key.second + ", " + row[kOutside]);
+    EXPECT_NE(row[kRightWhere], "");
+    if (key.second == "f32") {
+      ExpectWrong<float>(row);
+    } else {
+      ExpectWrong<double>(row);
+    }
+  }
+}
+
+// Both ways out of a domain of range and bits, and each scalar that there is.
+TEST(RecipesTest, NoRecipeIsMissing) {
+  const Rows rows = ReadRecipes();
+  for (const char* method :
+       {"shewchuk_adaptive", "double_double", "cross_product_kahan",
+        "promoted_f64", "promoted_f64_fma", "promoted_f64_kahan", "epsilon",
+        "epsilon_fma"}) {
+    for (const Kernel& kernel : AllKernels()) {
+      if (kernel.method.key != method || !IsFloat(kernel.scalar)) continue;
+      EXPECT_GT(rows.count({method, std::string(Name(kernel.scalar))}), 0u)
+          << method << " " << Name(kernel.scalar);
+    }
+  }
 }
 
 TEST(ShewchukAdaptiveTest, IsRightAtAnySpreadWithinItsRange) {
@@ -196,46 +243,21 @@ TEST(ShewchukAdaptiveTest, IsRightOnNearlyCollinearWholeNumbers) {
 }
 
 // What the products lose is below the smallest subnormal number.
-TEST(ShewchukAdaptiveTest, IsWrongWhereTheErrorOfAProductUnderflows) {
-  ExpectWrong<double>("shewchuk_adaptive",
-                      {{{0x1.128ae2d569764p-500, 0x1.65033a4eee505p-500},
-                        {-0x1.128ae2d569764p-500, -0x1.65033a4eee505p-500},
-                        {-0x1.42e39ed1e79e6p-501, 0x1.7299fcae7202p-503}},
-                       {-0x1.c2cd5d045fa82p-531, -0x1.251c0b463bc6bp-530}},
-                      Position::kOutside);
-  ExpectWrong<float>("shewchuk_adaptive",
-                     {{{0x1.38ffp-56f, -0x1.962e34p-56f},
-                       {-0x1.582fc6p-56f, 0x1.6b36d4p-56f},
-                       {0x1.e3992ep-56f, 0x1.728926p-56f}},
-                      {0x1.7d4f04p-56f, -0x1.7cabcap-58f}},
-                     Position::kOutside);
-}
-
-TEST(ShewchukAdaptiveTest, IsWrongWhereAProductOverflows) {
-  ExpectWrong<float>("shewchuk_adaptive",
-                     {{{0x1.22e258p+62f, -0x1.15a7ap+62f},
-                       {0x1.2d08dap+61f, 0x1.989458p+63f},
-                       {0x1.f308dcp+63f, -0x1.bcd33p+63f}},
-                      {0x1.33fd54p+61f, 0x1.8b0492p+63f}},
-                     Position::kInside);
-}
-
 TEST(DoubleDoubleTest, IsRightWhereDifferencesAreExact) {
   ExpectRight<float>("double_double",
                      [](Random& r) { return OnGrid<float>(r, 23); });
   ExpectRight<double>("double_double",
                       [](Random& r) { return OnGrid<double>(r, 52); });
+  ExpectRight<float>("double_double",
+                     [](Random& r) { return OnScaledGrid<float>(r, 23, -50); });
+  ExpectRight<float>("double_double",
+                     [](Random& r) { return OnScaledGrid<float>(r, 22, 40); });
   ExpectRight<double>("double_double", [](Random& r) {
     return OnScaledGrid<double>(r, 52, -484);
   });
-}
-
-TEST(DoubleDoubleTest, IsWrongWhereTheProductHasMoreThanTwiceTheBits) {
-  const Point<double> a{-0x1.eee9fd621371ap+0, -0x1.0045116be2025p-1};
-  ExpectWrong<double>("double_double",
-                      {{a, {-a.x, -a.y}, {-1.5, 1.25}},
-                       {0x1.a1cc7b7044fafp-44, 0x1.b0ad90f7c737p-46}},
-                      Position::kInside);
+  ExpectRight<double>("double_double", [](Random& r) {
+    return OnScaledGrid<double>(r, 51, 459);
+  });
 }
 
 TEST(KahanTest, IsRightWhereDifferencesAreExact) {
@@ -245,36 +267,23 @@ TEST(KahanTest, IsRightWhereDifferencesAreExact) {
                       [](Random& r) { return OnGrid<double>(r, 52); });
 }
 
-TEST(KahanTest, IsWrongWhereDifferencesRound) {
-  ExpectWrong<float>("cross_product_kahan",
-                     {{{0x1.540e96p-1f, -0x1.bf524ep+0f},
-                       {0x1.3f363p-1f, -0x1.50f986p+0f},
-                       {0x1.fdfd72p+0f, 0x1.abd672p-1f}},
-                      {0x1.b2b468p+0f, 0x1.0df132p-2f}},
-                     Position::kOutside);
+TEST(KahanTest, IsRightAtBothEndsOfItsRange) {
+  ExpectRight<float>("cross_product_kahan",
+                     [](Random& r) { return OnScaledGrid<float>(r, 22, -50); });
+  ExpectRight<float>("cross_product_kahan",
+                     [](Random& r) { return OnScaledGrid<float>(r, 22, 40); });
+  ExpectRight<double>("cross_product_kahan", [](Random& r) {
+    return OnScaledGrid<double>(r, 51, -484);
+  });
+  ExpectRight<double>("cross_product_kahan", [](Random& r) {
+    return OnScaledGrid<double>(r, 51, 459);
+  });
 }
 
 TEST(PromotedTest, IsRightWhereTheDeterminantIsExactInF64) {
   for (const char* method : {"promoted_f64", "promoted_f64_fma"}) {
     ExpectRight<float>(method, [](Random& r) { return OnGrid<float>(r, 25); });
   }
-}
-
-TEST(PromotedTest, IsWrongWhereTheDeterminantRoundsTo0) {
-  ExpectWrong<float>(
-      "promoted_f64",
-      {{{-0x1p+1f, 0x1p+1f}, {0x1.8p-26f, -0x1p-26f}, {0x1.8p+1f, 0x1.8p+1f}},
-       {0x1p-27f, -0x1p-54f}},
-      Position::kOutside);
-}
-
-// The edge through the point is seen exactly, but for contraction.
-TEST(PromotedTest, FmaIsWrongOnAnEdgeWhereTheProductsRound) {
-  ExpectWrong<float>(
-      "promoted_f64_fma",
-      {{{0x1p+0f, 0x1p+1f}, {0x1p-19f, -0x1p-19f}, {-0x1p+1f, -0x1p+0f}},
-       {0x1.3ffff8p-19f, -0x1.ffffep-21f}},
-      Position::kBoundary);
 }
 
 TEST(PromotedTest, KahanIsRightWhereExponentsSpreadOver28Binades) {
@@ -284,40 +293,12 @@ TEST(PromotedTest, KahanIsRightWhereExponentsSpreadOver28Binades) {
                      [](Random& r) { return Spread<float>(r, -14, 14); });
 }
 
-TEST(PromotedTest, KahanIsWrongWhereTheySpreadFurther) {
-  ExpectWrong<float>(
-      "promoted_f64_kahan",
-      {{{-0x1p+0f, -0x1p+0f}, {0x1p-28f, -0x1p-28f}, {0x1p+1f, 0x1p+1f}},
-       {-0x1p-56f, 0x1.8p-55f}},
-      Position::kOutside);
-}
-
 TEST(EpsilonTest, IsRightOnWholeNumbers) {
-  ExpectRight<float>("epsilon", [](Random& r) { return OnGrid<float>(r, 10); });
-  ExpectRight<double>("epsilon",
-                      [](Random& r) { return OnGrid<double>(r, 25); });
-}
-
-// In f32 a triangle of a thousandth contains points of another; in f64 so does
-// one of 1/65536.
-TEST(EpsilonTest, IsWrongWhereTheTriangleIsSmall) {
-  ExpectWrong<float>(
-      "epsilon", {{{0, 0}, {0x1p-10f, 0}, {0, 0x1p-10f}}, {0x1p-10f, 0x1p-12f}},
-      Position::kOutside);
-  ExpectWrong<double>(
-      "epsilon", {{{0, 0}, {0x1p-16, 0}, {0, 0x1p-16}}, {0x1p-16, 0x1p-16}},
-      Position::kOutside);
-}
-
-// The tolerance does not grow with the coordinates, rounding does.
-TEST(EpsilonTest, IsWrongWhereTheCoordinatesAreLarge) {
-  const float big = 0x1p+12f;
-  ExpectWrong<float>("epsilon",
-                     {{{0x1.ap+2f * big, 0x1.ccccccp+2f * big},
-                       {0x1.acccccp+2f * big, 0x1.ccccccp+0f * big},
-                       {0x1.d9999ap+1f * big, 0x1.8p+2f * big}},
-                      {0x1.a28f5cp+2f * big, 0x1.87ae14p+2f * big}},
-                     Position::kOutside);
+  for (const char* method : {"epsilon", "epsilon_fma"}) {
+    ExpectRight<float>(method, [](Random& r) { return OnGrid<float>(r, 10); });
+    ExpectRight<double>(method,
+                        [](Random& r) { return OnGrid<double>(r, 25); });
+  }
 }
 
 }  // namespace

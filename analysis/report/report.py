@@ -15,6 +15,7 @@ from analysis.accuracy.exact_tables import exact_errors, exact_speed
 from analysis.accuracy.failure_exhibits import LANE
 from analysis.accuracy.flags_axis import flags_axis
 from analysis.accuracy.overview import overview
+from analysis.accuracy.recipes import add_recipes
 from analysis.charts.hero_chart import hero, named
 from analysis.charts.palette import method_rank
 from analysis.choice import choice_exhibits
@@ -117,6 +118,7 @@ def build(whole: Run, stored: Sequence[Run] = ()) -> Report:
     price = exact_speed(run.speed, cells, warned)
     failure_exhibits.add_overview(exhibits, overviews)
     failure_exhibits.add_flags(exhibits, flags)
+    add_recipes(exhibits, run.accuracy)
     _add_scaling(exhibits, cells, scalars, footer)
     limit_exhibits.add_limits(exhibits, run, cells, scalars, footer)
     failure_exhibits.add_errors(exhibits, run, scalars, footer)

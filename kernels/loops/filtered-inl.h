@@ -55,8 +55,8 @@ static HWY_NOINLINE void Decide(D d, std::size_t first, std::size_t end,
 }
 
 // Writes what the margins of the block of items from `start` on say if they
-// decide, and keeps in of_all and watch what tells whether they do; in of_all
-// with what was there, unless this is the first block.
+// decide, and keeps in of_all and watch what tells whether they do: with what
+// was there, but in of_all of this block alone if kFirst.
 template <bool kMayBeNaN, bool kFirst, class D, class MarginAt>
 HWY_INLINE void WriteFilteredBlock(D d, std::size_t start,
                                    TFromD<D> decided_above, std::uint8_t* to,

@@ -15,6 +15,7 @@
 // look like a point on the edge; those that overflow like one outside.
 // Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
 //   shewchuk_adaptive: none found
+// among coordinates from 2^-30 to 1; farther apart report/recipes.csv has some.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/shewchuk_adaptive.cc"

@@ -12,9 +12,9 @@
 // subtractions, 2 multiplications, 2 additions and 4 compares to snap it; 6
 // products and 6 sums of 16 bits, or 3 products of pairs and 3 sums; 1 compare.
 // Boundary: closed. Winding: fixed by the set-up. Degenerate: contains nothing.
-// Fails: P and the vertices each move by half a step of the grid in x and in y,
-// so an answer may be wrong within one step, 1/127 of the box, of the boundary;
-// a needle that is thinner may contain nothing. Nearer to the origin or
+// Fails: P and the vertices each move by half a step of the grid, 1/127 of the
+// box, in x and in y, so an answer may be wrong within one step along x and one
+// along y of the boundary; a needle that is thinner may contain nothing. Nearer to the origin or
 // farther, larger or smaller makes no difference.
 // Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
 //   snapped_i16, said inside, is 3.62e+05 ulps outside:
