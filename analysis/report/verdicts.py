@@ -120,9 +120,8 @@ class _Times:
 
     def ratio(self, top: pd.Series, bottom: pd.Series) -> Interval:
         """How many times as long as `bottom` the row `top` takes."""
-        return ratio_interval(
-            *(self.by_cell[r["shard"], r["name"]] for r in (top, bottom))
-        )
+        above, below = (self.by_cell[r["shard"], r["name"]] for r in (top, bottom))
+        return ratio_interval(above, below)
 
     def longer(self, top: pd.Series, bottom: pd.Series) -> bool:
         """Whether it surely takes longer."""
