@@ -4,6 +4,7 @@ outside where it is wrong (report/recipes.csv, which tests/recipes_test.cc runs)
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Final
 
@@ -11,9 +12,10 @@ import pandas as pd
 
 from analysis.report import columns
 from analysis.report.exhibits import Exhibits
+from analysis.report.wording import power_of_two
 
 RECIPES: Final = Path(__file__).resolve().parents[2] / "report" / "recipes.csv"
-_CORNERS: Final = ("a", "b", "c")
+_CORNERS: Final = ("a", "b", "c", "p")
 
 
 def recipes(scalars_of: dict[str, set[str]], path: Path = RECIPES) -> pd.DataFrame:
@@ -27,16 +29,20 @@ def recipes(scalars_of: dict[str, set[str]], path: Path = RECIPES) -> pd.DataFra
         for method, scalar in zip(table["method"], table["scalar"])
     ]
     table = table[ours].reset_index(drop=True)
-    corners = table.apply(
-        lambda row: ", ".join(f"({row[c + 'x']}, {row[c + 'y']})" for c in _CORNERS),
+    given = table.apply(
+        lambda row: " ".join(f"({row[c + 'x']}, {row[c + 'y']})" for c in _CORNERS),
         axis=1,
         result_type="reduce",
     )
     return table.assign(
-        triangle=corners,
-        point="(" + table["px"] + ", " + table["py"] + ")",
+        right_where=table["right_where"].map(_powers),
+        input=given,
         said=table["truth"].map(lambda t: "inside" if t == "outside" else "outside"),
     )
+
+
+def _powers(text: str) -> str:
+    return re.sub(r"2\^(-?\d+)", lambda found: power_of_two(float(found[1])), text)
 
 
 def add_recipes(exhibits: Exhibits, accuracy: pd.DataFrame) -> None:
@@ -55,9 +61,8 @@ def add_recipes(exhibits: Exhibits, accuracy: pd.DataFrame) -> None:
                 columns.word("scalar", "scalar"),
                 columns.sentence("right_where", "right where"),
                 columns.sentence("outside", "outside"),
-                columns.sentence("triangle", "triangle"),
-                columns.sentence("point", "point"),
-                columns.word("truth", "is"),
                 columns.word("said", "says"),
+                columns.word("truth", "is"),
+                columns.sentence("input", "of A, B, C and P"),
             ],
         )

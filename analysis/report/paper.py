@@ -56,6 +56,7 @@ SHOWN: Final[dict[str, Cut]] = {
     "errors-near_edge": WHOLE,
     "heat-needle": WHOLE,
     "ulps-{scalar}": WHOLE,
+    "recipes": Cut(without=("of A, B, C and P",)),
     "verdicts": Cut(named=True, without=("% of limit",)),
     "exact_errors": WHOLE,
     "cost_curve": WHOLE,
