@@ -243,41 +243,23 @@ TEST(ShewchukAdaptiveTest, IsRightOnNearlyCollinearWholeNumbers) {
 }
 
 // What the products lose is below the smallest subnormal number.
-TEST(DoubleDoubleTest, IsRightWhereDifferencesAreExact) {
-  ExpectRight<float>("double_double",
-                     [](Random& r) { return OnGrid<float>(r, 23); });
-  ExpectRight<double>("double_double",
-                      [](Random& r) { return OnGrid<double>(r, 52); });
-  ExpectRight<float>("double_double",
-                     [](Random& r) { return OnScaledGrid<float>(r, 23, -50); });
-  ExpectRight<float>("double_double",
-                     [](Random& r) { return OnScaledGrid<float>(r, 22, 40); });
-  ExpectRight<double>("double_double", [](Random& r) {
-    return OnScaledGrid<double>(r, 52, -484);
-  });
-  ExpectRight<double>("double_double", [](Random& r) {
-    return OnScaledGrid<double>(r, 51, 459);
-  });
-}
-
-TEST(KahanTest, IsRightWhereDifferencesAreExact) {
-  ExpectRight<float>("cross_product_kahan",
-                     [](Random& r) { return OnGrid<float>(r, 23); });
-  ExpectRight<double>("cross_product_kahan",
-                      [](Random& r) { return OnGrid<double>(r, 52); });
-}
-
-TEST(KahanTest, IsRightAtBothEndsOfItsRange) {
-  ExpectRight<float>("cross_product_kahan",
-                     [](Random& r) { return OnScaledGrid<float>(r, 22, -50); });
-  ExpectRight<float>("cross_product_kahan",
-                     [](Random& r) { return OnScaledGrid<float>(r, 22, 40); });
-  ExpectRight<double>("cross_product_kahan", [](Random& r) {
-    return OnScaledGrid<double>(r, 51, -484);
-  });
-  ExpectRight<double>("cross_product_kahan", [](Random& r) {
-    return OnScaledGrid<double>(r, 51, 459);
-  });
+// Double-double and Kahan's difference, and at both ends of their range.
+TEST(DifferencesTest, BothAreRightWhereTheyAreExact) {
+  for (const char* method : {"double_double", "cross_product_kahan"}) {
+    ExpectRight<float>(method, [](Random& r) { return OnGrid<float>(r, 23); });
+    ExpectRight<double>(method,
+                        [](Random& r) { return OnGrid<double>(r, 52); });
+    for (const int exponent : {-50, 62 - 22}) {
+      ExpectRight<float>(method, [exponent](Random& r) {
+        return OnScaledGrid<float>(r, 22, exponent);
+      });
+    }
+    for (const int exponent : {-484, 510 - 51}) {
+      ExpectRight<double>(method, [exponent](Random& r) {
+        return OnScaledGrid<double>(r, 51, exponent);
+      });
+    }
+  }
 }
 
 TEST(PromotedTest, IsRightWhereTheDeterminantIsExactInF64) {
