@@ -108,7 +108,8 @@ def add_input(
             "break_even",
             "From how many points a call the dearer set-up pays: against what takes "
             f"least for {WHOLE_VECTOR} points, and for the pairs that a claim is about. "
-            "Between the numbers of points that were timed it is interpolated.",
+            "In brackets the numbers of points that were timed and between which it lies; "
+            "where in between is a guess, as times jump there.",
             chapter.evens,
             columns.BREAK_EVEN,
         )
