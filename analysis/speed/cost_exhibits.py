@@ -45,7 +45,9 @@ class Costs:
 
 
 def with_models(run: Run) -> Run:
-    """The run with what llvm-mca makes of its loops, or why there is nothing."""
+    """The run with what llvm-mca makes of its loops, or why there is nothing. Not of
+    a stored run, which has what was made of them instead of the loops.
+    """
     if run.instructions.empty:
         return dataclasses.replace(run, not_modelled=run.not_traced)
     try:
