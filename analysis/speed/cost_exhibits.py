@@ -38,6 +38,7 @@ class Costs:
     not_traced: str
     modelled: bool
     not_modelled: str
+    left_out: str  # the CPUs that were not modelled and why, a sentence or nothing
     error: Error | None
     error_unknown: str  # why there is none, else empty
     models: list[str]
@@ -120,6 +121,7 @@ def add(
         not_traced=run.not_traced,
         modelled=bool(len(run.modelled)),
         not_modelled=run.not_modelled,
+        left_out=modelled.left_out(run),
         error=words,
         error_unknown="" if words else _error_unknown(run.nearest_model),
         models=sorted(set(run.modelled["model"])),
