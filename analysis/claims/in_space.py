@@ -56,9 +56,15 @@ def transformed_beforehand(evidence: Evidence) -> Finding:
         why += f" With the set-up, {'; '.join(words)}."
     own = rows[(rows["isa"] == ratio.isa) & (rows["method"] == KEPT)]
     early = bool(len(own)) and bool((own["break_even_high"] <= 2 * PAYS_FROM).all())
+    may_be = bool(len(own)) and bool((own["break_even_low"] < 2 * PAYS_FROM).all())
+    if may_be and not early:
+        why += (
+            " The numbers of rays that were timed do not tell whether it pays from "
+            f"twice {PAYS_FROM} or fewer."
+        )
     pays = [_pays(row) for row in own.to_dict("records")]
     return Finding(
-        judged(faster and early, faster or early),
+        judged(faster and early, faster or may_be),
         "; ".join([f"{ratio.figure} times as fast", *pays[:1]]),
         why,
     )

@@ -3,10 +3,10 @@
 Kept: machine.json, sweep.json and methods.json; limits and operations, as they
 were; every repetition of every timed cell, to five digits; the counts of every
 judged cell, once for all ISAs that gave the same; the contexts of the speed
-shards; and what llvm-mca made of the loops. Left out, since no comparison uses
-it: iterations and mean times; the worst inputs and the distances of wrong
-answers, which are the same on every machine that gives the same counts; the
-maps; and the instructions themselves.
+shards; how many instructions the compiled kernels execute; and what llvm-mca made
+of the loops. Left out, since no comparison uses it: iterations and mean times; the
+worst inputs and the distances of wrong answers, which are the same on every
+machine that gives the same counts; the maps; and the instructions themselves.
 
 `load_stored` gives a Run like any other, whose frames have the same columns.
 """
@@ -26,6 +26,7 @@ import pandas as pd
 from analysis.models.arm_models import ARM_COLUMNS
 from analysis.models.llvm_mca import DESIGNS, MODELLED_COLUMNS
 from analysis.read import fields, load
+from analysis.read.load_instructions import INSTRUCTIONS_COLUMNS
 from analysis.read.load_limits import load_limits
 from analysis.read.load_operations import load_operations, no_operations
 from analysis.read.read_json import LoadError, read_json
@@ -75,7 +76,10 @@ _SHARD_NUMBERS: Final = [
     "preemptions",
     "throughput_before_gops",
     "throughput_after_gops",
+    "quiet_share",  # runs kept earlier have none
 ]
+_KERNEL: Final = ["method", "scalar", "loop", "isa"]
+_EXECUTED: Final = ["per_call", "per_item", "items_per_iteration"]
 
 
 def measured(run: Run, label: str, anonymous: bool) -> dict[str, Any]:
@@ -113,6 +117,8 @@ def measured(run: Run, label: str, anonymous: bool) -> dict[str, Any]:
         ],
         "classes": CLASSES,
         "accuracy": _accuracy_documents(run.accuracy),
+        "instructions": _instruction_documents(run),
+        "not_traced": run.not_traced,
         "modelled": run.modelled.to_dict("records"),
         "modelled_arm": run.modelled_arm.to_dict("records"),
         "nearest_model": run.nearest_model,
@@ -186,7 +192,10 @@ def load_stored(folder: Path) -> Run:
         operations=(
             load_operations(counts, same_run) if counts.exists() else no_operations()
         ),
-        not_traced="a stored run keeps no instructions",
+        instructions=_instructions_frame(path, document),
+        not_traced=document.get(
+            "not_traced", "when this run was kept, no count of instructions was"
+        ),
         modelled=pd.DataFrame(document["modelled"], columns=MODELLED_COLUMNS),
         modelled_arm=pd.DataFrame(document["modelled_arm"], columns=ARM_COLUMNS),
         nearest_model=document["nearest_model"],
@@ -261,6 +270,31 @@ def _accuracy_documents(accuracy: pd.DataFrame) -> list[dict[str, Any]]:
         key = json.dumps(document, sort_keys=True)
         joined.setdefault(key, {**document, "isas": []})["isas"].append(row["isa"])
     return list(joined.values())
+
+
+def _instruction_documents(run: Run) -> list[dict[str, Any]]:
+    """One a kernel of a loop that was timed, in the order of their names."""
+    traced = run.instructions[run.instructions["loop"].isin(set(run.speed["loop"]))]
+    return [
+        {
+            "kernel": [row[key] for key in _KERNEL],
+            "counts": [_plain(row[key]) for key in _EXECUTED],
+        }
+        for row in traced.sort_values(_KERNEL).to_dict("records")
+    ]
+
+
+def _instructions_frame(path: Path, document: dict[str, Any]) -> pd.DataFrame:
+    """As load_instructions has them, the instructions themselves left out."""
+    rows: list[dict[str, Any]] = []
+    seen: set[str] = set()
+    for index, entry in enumerate(document.get("instructions", [])):
+        kernel = "/".join(entry["kernel"])
+        _refuse_twice(path, f"$.instructions[{index}].kernel", kernel, seen)
+        counts = dict(zip(_EXECUTED, entry["counts"]))
+        rows.append({**dict(zip(_KERNEL, entry["kernel"])), **counts, "iteration": ()})
+    frame = pd.DataFrame(rows, columns=INSTRUCTIONS_COLUMNS)
+    return frame.astype({"per_call": float, "per_item": float})
 
 
 def _cell_row(path: Path, field: str, shard: str, name: str) -> dict[str, Any]:

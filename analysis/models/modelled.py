@@ -12,10 +12,10 @@ import matplotlib.pyplot as plt
 import pandas as pd
 
 from analysis.charts.chart_frame import Chart, finish, style
-from analysis.charts.palette import GRID, INK, method_rank
+from analysis.charts.palette import GRID, INK, isa_rank, method_rank
 from analysis.models.llvm_mca import MODELS
 from analysis.read.run import Run
-from analysis.report.wording import significant, times
+from analysis.report.wording import listed, significant, times
 from analysis.speed.tables import reference_cells
 
 LOOP: Final = "one_triangle"
@@ -85,6 +85,37 @@ def model_error(run: Run, cells: pd.DataFrame, scalar: str) -> pd.DataFrame:
     return both.sort_values(
         "method", key=lambda keys: keys.map(method_rank), ignore_index=True
     )[columns]
+
+
+def left_out(run: Run) -> str:
+    """Which CPUs of MODELS have no cycles in the run and why, in a sentence; empty
+    where all have some, where nothing could be modelled (run.not_modelled), or where
+    nobody asked.
+    """
+    asked = len(run.modelled) or run.nearest_model is not None
+    known = set(run.modelled["model"])
+    missing: dict[str, list[str]] = {}
+    for model, isa in MODELS.items():
+        if model not in known:
+            missing.setdefault(isa, []).append(model)
+    if run.not_modelled or not missing or not asked:
+        return ""
+    parts = [
+        f"{listed(models)}, whose loops " f"are of {isa}, which {_why_not(isa, run)}"
+        for isa, models in missing.items()
+    ]
+    return f"Not modelled {'is' if len(known) == len(MODELS) - 1 else 'are'} " + (
+        f"{'; and '.join(parts)}."
+    )
+
+
+def _why_not(isa: str, run: Run) -> str:
+    """Ends a sentence: a model reads the instructions of loops that ran here."""
+    if isa not in run.machine.isas:
+        return "the CPU of this run does not have, so that none could be traced"
+    if run.isa_up_to and isa_rank(isa) > isa_rank(run.isa_up_to):
+        return f"this run left out: it was held to {run.isa_up_to}"
+    return "has none here that was traced and repeats"
 
 
 @dataclasses.dataclass(frozen=True)

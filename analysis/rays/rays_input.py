@@ -62,7 +62,8 @@ def add_ray_input(
             "ray_break_even",
             "From how many rays a triangle the dearer set-up pays: against what takes "
             f"least for {WHOLE_VECTOR} rays, and for the pairs that a claim is about. "
-            "Between the numbers of rays that were timed it is interpolated.",
+            "In brackets the numbers of rays that were timed and between which it lies; "
+            "where in between is a guess, as times jump there.",
             evens.assign(words=[break_even_words(row) for _, row in evens.iterrows()]),
             columns.break_even("ray"),
         )

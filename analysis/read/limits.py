@@ -31,11 +31,13 @@ MEMORY_COLUMNS: Final = ["isa", "scalars", "level", "access", "streams"] + [
     "bytes_per_second",
     "median",
     "lowest",
+    "clock_ghz",
 ]
 OPERATION_COLUMNS: Final = ["isa", "scalar", "operation"] + [
     "operations_per_second",
     "median",
     "lowest",
+    "clock_ghz",
 ]
 
 
@@ -50,15 +52,17 @@ class Level:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Limits:
-    """levels: nearest first; memory, operations: the columns above; moved: of the
-    two, if they were measured twice, the least and the largest ratio of the later to
-    the earlier rate.
+    """levels: nearest first; memory, operations: the columns above, of which the
+    clock is the highest that was seen before or after the file that a rate came
+    from, since the best rate was reached at the highest clock; clocks_ghz: those
+    seen, in their order; moved: of the two, if they were measured twice, the least
+    and the largest ratio of the later to the earlier rate.
     """
 
     levels: tuple[Level, ...]
     memory: pd.DataFrame
     operations: pd.DataFrame
-    clock_ghz: float
+    clocks_ghz: tuple[float, ...]
     moved: dict[str, tuple[float, float]] = dataclasses.field(default_factory=dict)
 
     def shares(self, size: float) -> dict[str, float]:

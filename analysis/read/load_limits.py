@@ -54,7 +54,7 @@ def _joined(first: Limits, again: Limits, path: Path) -> Limits:
         first,
         memory=better["memory"].reset_index(drop=True),
         operations=better["operations"].reset_index(drop=True),
-        clock_ghz=(first.clock_ghz + again.clock_ghz) / 2,
+        clocks_ghz=first.clocks_ghz + again.clocks_ghz,
         moved=moved,
     )
 
@@ -79,11 +79,19 @@ def _limits(path: Path, same_run: SameRun) -> Limits:
     _refuse_twice(path, "memory", document, _MEMORY_KEYS)
     _refuse_twice(path, "operations", document, _OPERATION_KEYS)
     memory = [{**row, "scalars": tuple(row["scalars"])} for row in document["memory"]]
+    clocks = (float(context["clock_before_ghz"]), float(context["clock_after_ghz"]))
+    frames = [
+        pd.DataFrame(rows, columns=columns).assign(clock_ghz=max(clocks))
+        for rows, columns in (
+            (memory, MEMORY_COLUMNS),
+            (document["operations"], OPERATION_COLUMNS),
+        )
+    ]
     return Limits(
         levels=levels,
-        memory=pd.DataFrame(memory, columns=MEMORY_COLUMNS),
-        operations=pd.DataFrame(document["operations"], columns=OPERATION_COLUMNS),
-        clock_ghz=(context["clock_before_ghz"] + context["clock_after_ghz"]) / 2,
+        memory=frames[0],
+        operations=frames[1],
+        clocks_ghz=clocks,
     )
 
 

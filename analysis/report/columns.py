@@ -279,7 +279,8 @@ def break_even(item: str) -> tuple[Column, ...]:
             "pays from n",
             lambda row: str(row["words"]),
             sort="break_even",
-            hint=f"{item}s a call; in brackets where the ratio's interval holds 1",
+            hint=f"{item}s a call; in brackets the timed numbers that it lies between, "
+            "as far as the ratios' intervals tell; never: at no timed number",
         ),
         with_interval("worst", "ratio at its worst before"),
         whole("worst_n", "at n"),

@@ -3,8 +3,12 @@
 Every call sets its method up once, on another triangle than the call before, so
 the time of a call is set-up and points together, and of two methods the one
 that does more beforehand must win that back. Where their times are equal lies
-between two of the numbers of points that were timed; it is interpolated on
-logarithms of both, as between them a ratio of two straight lines nearly runs.
+between two of the numbers of points that were timed. The time of a call is taken
+to run straight from the one to the other. That is a guess, since both methods'
+times jump where a call comes to fill a vector or goes round the loop once more:
+so the interval reaches to the timed numbers themselves. What it cannot hold is a
+stretch that no timed number lies in: where both ends of it are won already,
+nothing shows that the middle is not.
 """
 
 from __future__ import annotations
@@ -34,22 +38,56 @@ WHOLE_VECTOR = 16
 RATIO = ["ratio", "ratio_low", "ratio_high"]
 
 
-def paid_from(n: Sequence[float], ratios: Sequence[float], best: int) -> float:
+def paid_from(
+    n: Sequence[float], ratios: Sequence[float], others: Sequence[float], best: int
+) -> float:
     """The n from which on the ratio is 1 or less without a break up to the n
     with the index `best`; NaN if it is above 1 there.
 
-    `n` ascending and positive, `ratios` positive, of the same length. Found
+    `n` ascending and positive, `ratios` of the times of two methods' calls, and
+    `others`, the times of those that they are over; of the same length. Found
     backwards, since for a few points two methods may be as good as equal.
     """
-    if ratios[best] > 1:
+    first = _first_paid(ratios, best)
+    if first is None:
         return math.nan
+    if first == 0:
+        return n[0]
+    before, after = n[first - 1], n[first]
+    lost = (ratios[first - 1] - 1) * others[first - 1]
+    won = (1 - ratios[first]) * others[first]
+    return float(before + (after - before) * lost / (lost + won))
+
+
+def paid_between(
+    n: Sequence[float], lows: Sequence[float], highs: Sequence[float], best: int
+) -> tuple[float, float]:
+    """The timed n between which paid_from lies, by the `lows` and the `highs` of
+    the intervals of the ratios: the last at which the call surely takes longer (the
+    first of all where there is none), and that from which on it surely does not.
+    NaN for what is not before `best`.
+
+    A call that does not fill its vectors says nothing about one that does, so it
+    does not end the interval; but all calls of less than WHOLE_VECTOR are alike,
+    and that number, where it was timed, speaks for what follows.
+    """
+    first_low, first_high = _first_paid(lows, best), _first_paid(highs, best)
+    low = math.nan if first_low is None else n[max(first_low - 1, 0)]
+    if first_high is None:
+        return low, math.nan
+    won = n[first_high : best + 1]
+    whole = next((at for at in won if at % WHOLE_VECTOR == 0), won[-1])
+    alike = won[0] < WHOLE_VECTOR == whole
+    return low, won[0] if alike else whole
+
+
+def _first_paid(ratios: Sequence[float], best: int) -> int | None:
+    if ratios[best] > 1:
+        return None
     first = best
     while first > 0 and ratios[first - 1] <= 1:
         first -= 1
-    if first == 0:
-        return n[0]
-    above, below = math.log(ratios[first - 1]), math.log(ratios[first])
-    return float(n[first - 1] * (n[first] / n[first - 1]) ** (above / (above - below)))
+    return first
 
 
 def ratios_by_size(speed: pd.DataFrame, cells: pd.DataFrame) -> pd.DataFrame:
@@ -84,8 +122,7 @@ def break_evens(
     worst: the largest ratio for no more points than that, at worst_n; most: the
     ratio for the most points.
     break_even: the n from which on, up to best_n, the call takes less. low and
-    high: the same of the lower and of the upper ends of the ratios' intervals,
-    so that the interval of the ratio holds 1 between them. NaN for never.
+    high: paid_between, the timed n that it lies between. NaN for never.
     """
     rows = by_size(cells)
     by_cell = samples(speed)
@@ -102,6 +139,7 @@ def break_evens(
             if set(pair) <= set(methods) and pair not in pairs
         ]
         names = {m: part.set_index("n")["name"] for m, part in group.groupby("method")}
+        times = {m: part.set_index("n")["ns"] for m, part in group.groupby("method")}
         for method, other in pairs:
             at = sorted(set(names[method].index) & set(names[other].index))
             if not at:
@@ -114,9 +152,12 @@ def break_evens(
             # that they cannot but be in order.
             enough = [n >= min(WHOLE_VECTOR, at[-1]) for n in at]
             best = int(ratios["ratio_high"][enough].idxmin())
-            for column in RATIO:
-                key = column.replace("ratio", "break_even")
-                row[key] = paid_from(at, list(ratios[column]), best)
+            value, lows, highs = (list(ratios[column]) for column in RATIO)
+            calls = [n * times[other][n] for n in at]
+            row["break_even"] = paid_from(at, value, calls, best)
+            row["break_even_low"], row["break_even_high"] = paid_between(
+                at, lows, highs, best
+            )
             worst = int(ratios["ratio"][: best + 1].idxmax())
             for name, index in (("worst", worst), ("best", best), ("most", -1)):
                 for column in RATIO:
@@ -172,12 +213,14 @@ def _ratio(
 
 
 def break_even_words(row: pd.Series) -> str:
-    """1 234 (1 100 to 1 400): the points of a call, and their interval."""
+    """1 234 (1 024 to 2 048): the points of a call, and the timed numbers of them
+    that it lies between.
+    """
     if row["break_even_high"] != row["break_even_high"]:
         if row["break_even_low"] != row["break_even_low"]:
             return "never"
         return "not shown"
-    if row["break_even_high"] == row["worst_n"]:
+    if row["break_even_high"] == row["break_even_low"]:
         return "always"
     low, high = _whole(row["break_even_low"]), _whole(row["break_even_high"])
     return f"{_whole(row['break_even'])} ({low} to {high})"

@@ -38,6 +38,7 @@ class Costs:
     not_traced: str
     modelled: bool
     not_modelled: str
+    left_out: str  # the CPUs that were not modelled and why, a sentence or nothing
     error: Error | None
     error_unknown: str  # why there is none, else empty
     models: list[str]
@@ -45,7 +46,9 @@ class Costs:
 
 
 def with_models(run: Run) -> Run:
-    """The run with what llvm-mca makes of its loops, or why there is nothing."""
+    """The run with what llvm-mca makes of its loops, or why there is nothing. Not of
+    a stored run, which has what was made of them instead of the loops.
+    """
     if run.instructions.empty:
         return dataclasses.replace(run, not_modelled=run.not_traced)
     try:
@@ -118,6 +121,7 @@ def add(
         not_traced=run.not_traced,
         modelled=bool(len(run.modelled)),
         not_modelled=run.not_modelled,
+        left_out=modelled.left_out(run),
         error=words,
         error_unknown="" if words else _error_unknown(run.nearest_model),
         models=sorted(set(run.modelled["model"])),

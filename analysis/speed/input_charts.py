@@ -25,13 +25,12 @@ from analysis.read.run import Cache
 from analysis.report.method_families import in_order
 from analysis.report.wording import (
     counted,
-    grouped,
     listed,
     significant,
     size_in_bytes,
     times,
 )
-from analysis.speed.break_even import CROSS, INVERSE
+from analysis.speed.break_even import CROSS, INVERSE, break_even_words
 from analysis.speed.input_tables import EARLY_OUT, data_caches
 
 _WIDTH = 11.0
@@ -137,8 +136,7 @@ def _who_pays(
     ].set_index("isa")
     found = [
         (
-            f"from {grouped(round(rows.loc[isa, 'break_even']))} {words.item}s a call "
-            f"on {isa}"
+            f"from {break_even_words(rows.loc[isa])} {words.item}s a call on {isa}"
             if rows.loc[isa, "break_even_high"] == rows.loc[isa, "break_even_high"]
             else f"nowhere beyond doubt on {isa}"
         )

@@ -26,15 +26,17 @@ from analysis.speed.input_tables import (
     early_out,
     home,
 )
+from analysis.speed.longer_calls import add_longer_calls, longer_calls, longer_words
 
 
 @dataclasses.dataclass(frozen=True)
 class InputChapter:
-    """early, sizes, evens and threads may be empty: not in this run."""
+    """early, sizes, evens, longer and threads may be empty: not in this run."""
 
     early: pd.DataFrame
     sizes: pd.DataFrame
     evens: pd.DataFrame
+    longer: pd.DataFrame
     threads: pd.DataFrame
     claims: tuple[Claim, ...]
 
@@ -55,6 +57,7 @@ def input_chapter(run: Run, cells: pd.DataFrame) -> InputChapter:
         evens=evens.assign(
             words=[break_even_words(row) for _, row in evens.iterrows()]
         ),
+        longer=longer_calls(run.speed, cells),
         threads=threads.assign(
             home=[home(size, caches) for size in threads["working_set_bytes"]]
         ),
@@ -108,10 +111,12 @@ def add_input(
             "break_even",
             "From how many points a call the dearer set-up pays: against what takes "
             f"least for {WHOLE_VECTOR} points, and for the pairs that a claim is about. "
-            "Between the numbers of points that were timed it is interpolated.",
+            "In brackets the numbers of points that were timed and between which it lies; "
+            "where in between is a guess, as times jump there.",
             chapter.evens,
             columns.BREAK_EVEN,
         )
+    add_longer_calls(exhibits, chapter.longer)
     if len(chapter.threads):
         exhibits.table(
             "threads",
@@ -131,6 +136,7 @@ def input_facts(chapter: InputChapter) -> dict[str, Any] | None:
         "claims": chapter.claims,
         "fixed": _fixed(chapter.early),
         "tails": _tails(chapter.sizes),
+        "longer": longer_words(chapter.longer),
         "threads": _threads(chapter.threads),
     }
 

@@ -11,7 +11,7 @@ import pandas as pd
 from analysis.read.cells import SIDE_BY_SIDE, WHOLE_ARRAYS
 from analysis.report.columns import PLACE, number, with_interval
 from analysis.report.exhibits import Exhibits
-from analysis.report.wording import counted
+from analysis.report.wording import counted, size_in_bytes
 from analysis.speed.tables import sort_cells, times_other
 
 COLUMNS: Final = (
@@ -56,25 +56,33 @@ def add_layouts(
 
 
 def layout_sentence(table: pd.DataFrame, isa: str | None) -> str:
-    """What the layout costs at an instruction set, by where the points lie;
-    empty where nothing was measured.
+    """What the layout costs at an instruction set, by scalar and by where the points
+    lie; empty where nothing was measured.
     """
     rows = table[table["isa"] == isa]
     if not len(rows):
         return ""
-    parts = []
-    sizes = sorted(rows["working_set_bytes"].unique())
-    for name, size in (("the shortest", sizes[0]), ("the longest", sizes[-1])):
-        ratios = rows.loc[rows["working_set_bytes"] == size, "side_by_side"]
-        low, high = f"{ratios.min():.2f}", f"{ratios.max():.2f}"
-        span = low if low == high else f"{low} to {high}"
-        parts.append(f"{span} times as long on {name} calls")
-        if len(sizes) == 1:
-            parts = [f"{span} times as long"]
-            break
+    parts = [
+        f"in {scalar} {_by_length(own)}"
+        for scalar, own in rows.groupby("scalar", sort=True)
+    ]
     slower = int((rows["side_by_side_low"] > 1).sum())
     return (
-        f"On {isa} it takes {' and '.join(parts)}; {slower} of "
+        f"On {isa} it takes {', '.join(parts)}; {slower} of "
         f"{counted(len(rows), 'cell')} {'is' if slower == 1 else 'are'} slower for "
         "certain."
     )
+
+
+def _by_length(rows: pd.DataFrame) -> str:
+    """Of one scalar: the least and the largest ratio of any method on the scene
+    whose calls have the fewest bytes, and on that of the most.
+    """
+    sizes = rows.groupby("scene", sort=False)["working_set_bytes"].max()
+    parts = []
+    for scene in dict.fromkeys([sizes.idxmin(), sizes.idxmax()]):
+        ratios = rows.loc[rows["scene"] == scene, "side_by_side"]
+        low, high = f"{ratios.min():.2f}", f"{ratios.max():.2f}"
+        span = low if low == high else f"{low} to {high}"
+        parts.append(f"{span} times as long on calls of {size_in_bytes(sizes[scene])}")
+    return " and ".join(parts)

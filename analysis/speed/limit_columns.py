@@ -108,34 +108,30 @@ THROUGHPUT: Final = (
 
 
 def bandwidth_columns(limits: Limits) -> tuple[Column, ...]:
-    clock = limits.clock_ghz
-    shown = [_speed(f"load_{x.name}", f"load {x.name}", clock) for x in limits.levels]
+    shown = [_speed(f"load_{x.name}", f"load {x.name}") for x in limits.levels]
     nearest = limits.levels[0].name
     return (
         word("isa", "ISA"),
         word("scalars", "scalars"),
         *shown,
-        _speed(f"store_{nearest}", f"store {nearest}", clock),
+        _speed(f"store_{nearest}", f"store {nearest}"),
     )
 
 
 def rate_columns(limits: Limits) -> tuple[Column, ...]:
-    clock = limits.clock_ghz
     measured = set(limits.operations["operation"])
     return (
         word("isa", "ISA"),
         word("scalar", "scalar"),
         *(
-            _speed(kind, title, clock, "G/s", "a cycle")
+            _speed(kind, title, "G/s", "a cycle")
             for kind, title in OPERATIONS.items()
             if kind in measured
         ),
     )
 
 
-def _speed(
-    key: str, title: str, clock_ghz: float, unit: str = "GB/s", each: str = "B a cycle"
-) -> Column:
+def _speed(key: str, title: str, unit: str = "GB/s", each: str = "B a cycle") -> Column:
     """Giga-somethings a second, and below it how many a cycle."""
 
     def show(row: Row) -> str:
@@ -143,9 +139,7 @@ def _speed(
         return significant(value / 1e9) if value == value else wording.NONE
 
     def note(row: Row) -> str:
-        value = row.get(key, float("nan"))
-        return (
-            f"{significant(value / 1e9 / clock_ghz)} {each}" if value == value else ""
-        )
+        value = row.get(f"{key}_per_cycle", float("nan"))
+        return f"{significant(value)} {each}" if value == value else ""
 
     return Column(f"{title}, {unit}", show, note, key)

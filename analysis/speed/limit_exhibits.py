@@ -56,7 +56,8 @@ def add_limits(
     exhibits.table(
         "limit_rates",
         "The most operations a second of each kind, every lane counted, and how many "
-        "that is a cycle: the best of the repetitions.",
+        "that is a cycle of the highest clock seen beside them: the best of the "
+        "repetitions.",
         limit_tables.rates(limits),
         limit_columns.rate_columns(limits),
     )

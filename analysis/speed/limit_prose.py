@@ -63,6 +63,7 @@ def limit_facts(
                 for low, high in [limits.moved[part]]
             ]
         ),
+        "clock": _clock_moved(limits.clocks_ghz),
         "cells": counted(len(cells), "cell"),
         "with_counts": with_counts,
         "without_counts": len(cells) - with_counts,
@@ -76,6 +77,16 @@ def limit_facts(
         "at_once": _number(limit_tables.most_at_once(run.shards)),
         "loop": loop,
     }
+
+
+def _clock_moved(clocks: tuple[float, ...]) -> str:
+    """The clocks in their order, if they are further apart than what the noise
+    verdict lets a shard's be, else nothing.
+    """
+    if not max(clocks) / min(clocks) - 1 > TOLERANCE:
+        return ""
+    seen = [f"{clock:.2f}" for clock in clocks]
+    return f"{listed(seen)} GHz ({100 * (max(clocks) / min(clocks) - 1):.1f} % apart)"
 
 
 def _number(value: float) -> str:

@@ -21,7 +21,8 @@ SCALARS: Final = ("f32", "f64", "i32", "i16", "u8")
 def bandwidths(limits: Limits) -> pd.DataFrame:
     """One row an ISA and the scalars that it loads alike: the best bytes a
     second of each level (`load_L1` …) and of stores (`store_…`), each with how
-    far the median of its repetitions lay below (`…_below`).
+    far the median of its repetitions lay below (`…_below`) and with its rate a
+    cycle (`…_per_cycle`).
     """
     memory = limits.memory.assign(
         what=limits.memory["access"] + "_" + limits.memory["level"]
@@ -33,22 +34,28 @@ def bandwidths(limits: Limits) -> pd.DataFrame:
             best = group.loc[group["bytes_per_second"].idxmax()]
             row[what] = best["bytes_per_second"]
             row[f"{what}_below"] = 1 - best["median"] / best["bytes_per_second"]
+            row[f"{what}_per_cycle"] = (
+                best["bytes_per_second"] / 1e9 / best["clock_ghz"]
+            )
         rows.append(row)
     return _by_isa(pd.DataFrame(rows))
 
 
 def rates(limits: Limits) -> pd.DataFrame:
-    """One row an ISA and scalar: the best operations a second of each kind."""
-    if not len(limits.operations):
-        return pd.DataFrame(columns=["isa", "scalar"])
-    table = limits.operations.pivot_table(
-        index=["isa", "scalar"],
-        columns="operation",
-        values="operations_per_second",
-        aggfunc="max",
-    ).reset_index()
-    table.columns.name = None
-    return _by_isa(table)
+    """One row an ISA and scalar: the best operations a second of each kind, and how
+    many that is a cycle (`…_per_cycle`).
+    """
+    rows = []
+    for (isa, scalar), own in limits.operations.groupby(["isa", "scalar"], sort=False):
+        row: dict[str, Any] = {"isa": isa, "scalar": scalar}
+        for kind, group in own.groupby("operation", sort=True):
+            best = group.loc[group["operations_per_second"].idxmax()]
+            row[str(kind)] = best["operations_per_second"]
+            row[f"{kind}_per_cycle"] = (
+                best["operations_per_second"] / 1e9 / best["clock_ghz"]
+            )
+        rows.append(row)
+    return _by_isa(pd.DataFrame(rows, columns=None if rows else ["isa", "scalar"]))
 
 
 def _by_isa(table: pd.DataFrame) -> pd.DataFrame:

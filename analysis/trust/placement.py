@@ -130,10 +130,12 @@ def _cell(name: str, place: str) -> str:
 
 
 def placement_words(spread: pd.DataFrame) -> dict[str, Any] | None:
-    """The largest spread in phrases: what a ratio has to exceed."""
+    """The spread that surely is the largest, in phrases: what a ratio has to exceed
+    where `apart`, the number of kernels whose spread is no chance, is not 0.
+    """
     if not len(spread):
         return None
-    top = spread.loc[spread["spread"].idxmax()]
+    top = spread.loc[spread["spread_low"].idxmax()]
     surely = spread[spread["spread_low"] > 1]
     return {
         "kernels": len(spread),
@@ -212,10 +214,13 @@ def placement_chart(table: pd.DataFrame, spread: pd.DataFrame, footer: str) -> C
         )
         words = placement_words(spread)
         assert words is not None
-        title = (
-            "The same instructions elsewhere: the slowest place takes "
-            f"{words['ratio']} the time of the fastest at most "
-            f"({words['interval']}; {words['method']}, {words['isa']})"
+        of = f"{words['method']}, {words['isa']}"
+        title = "The same instructions elsewhere: " + (
+            f"the slowest place takes {words['ratio']} the time of the fastest "
+            f"({words['interval']}; {of}), more than is sure of any other kernel"
+            if words["apart"]
+            else f"no place is surely slower than another ({words['ratio']}, "
+            f"{words['interval']}; {of})"
         )
         alt = f"{title}. " + " ".join(
             f"{row.method}, {row.isa}, {place_words(row.place)}: "

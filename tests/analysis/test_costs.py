@@ -235,3 +235,39 @@ def test_models_that_give_the_same_share_a_mark(run: Run) -> None:
     table = modelled.model_table(with_cycles(run, None).modelled, "f32")
     models = [name for name in llvm_mca.MODELS if name in table.columns]
     assert modelled.alike(table, models) == [["znver3"], ["znver4", "znver5"]]
+
+
+def test_models_whose_instruction_set_did_not_run_are_named_with_the_reason(
+    run: Run,
+) -> None:
+    def without_avx512(**machine: object) -> Run:
+        cycles = pd.DataFrame(
+            [["cross_product", "f32", "one_triangle", "avx2", "znver3", 2.0]],
+            columns=llvm_mca.MODELLED_COLUMNS,
+        )
+        here = dataclasses.replace(run.machine, isas=("scalar", "sse4", "avx2"))
+        return dataclasses.replace(
+            run, **({"modelled": cycles, "machine": here} | machine)
+        )
+
+    assert modelled.left_out(run) == ""  # nobody asked
+    words = modelled.left_out(without_avx512())
+    assert words == (
+        "Not modelled are skylake-avx512, icelake-server, sapphirerapids, znver4 and "
+        "znver5, whose loops are of avx512, which the CPU of this run does not have, "
+        "so that none could be traced."
+    )
+    held = without_avx512(machine=run.machine, isa_up_to="avx2")
+    assert "which this run left out: it was held to avx2" in modelled.left_out(held)
+    page = render(build(without_avx512()), "index.html.j2")
+    assert words in page
+    every = pd.concat(
+        [without_avx512().modelled.assign(model=model) for model in llvm_mca.MODELS]
+    )
+    assert modelled.left_out(without_avx512(modelled=every)) == ""
+    one = every[every["model"] != "znver3"]
+    words = modelled.left_out(without_avx512(modelled=one))
+    assert words.startswith("Not modelled is znver3, whose loops are of avx2, which ")
+    none = without_avx512(modelled=every.iloc[:0], nearest_model="znver3")
+    page = render(build(none), "index.html.j2")
+    assert "<p>Not modelled are skylake-avx512" in page

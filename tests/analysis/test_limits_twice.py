@@ -12,6 +12,10 @@ import pytest
 from analysis.read.load import load_run
 from analysis.read.load_limits import load_limits
 from analysis.read.read_json import LoadError
+from analysis.report.wording import significant
+from analysis.speed.limit_columns import bandwidth_columns
+from analysis.speed.limit_prose import _clock_moved
+from analysis.speed.limit_tables import bandwidths, rates
 from tests.analysis.test_bounds import CONTEXT, ISAS, loaded, same_run
 from tests.analysis.synthetic_limits import limits as limits_document
 
@@ -87,3 +91,38 @@ def test_a_run_reads_both(small_run: Path, tmp_path: Path) -> None:
     run = load_run(small_run)
     assert run.limits is not None
     assert run.limits.moved == {"memory": (1.0, 1.0), "operations": (1.0, 1.0)}
+
+
+def clocked(document: Document, before: float, after: float) -> Document:
+    found = copy.deepcopy(document)
+    found["context"] |= {"clock_before_ghz": before, "clock_after_ghz": after}
+    return found
+
+
+def test_a_rate_is_divided_by_the_highest_clock_of_its_own_file(
+    tmp_path: Path,
+) -> None:
+    first = clocked(limits_document(CONTEXT, ISAS), 4.5, 4.2)
+    again = scaled(first, "memory", lambda row: row["level"] == "L1", 1.25)
+    again = scaled(again, "operations", lambda row: row["operation"] == "add", 1.25)
+    two = both(tmp_path, first, clocked(again, 4.1, 4.3))
+    assert two.clocks_ghz == (4.5, 4.2, 4.1, 4.3)
+    walks, counts = bandwidths(two), rates(two)
+    for table, key, clock in (
+        (walks, "load_L1", 4.3),
+        (walks, "load_L2", 4.5),
+        (counts, "add", 4.3),
+        (counts, "multiply", 4.5),
+    ):
+        ratios = table[key] / table[f"{key}_per_cycle"] / 1e9
+        assert ratios.dropna().tolist() == pytest.approx([clock] * ratios.count())
+    shown = next(c for c in bandwidth_columns(two) if c.title.startswith("load L1"))
+    row = walks.to_dict("records")[0]
+    assert shown.note is not None
+    assert shown.note(row) == f"{significant(row['load_L1_per_cycle'])} B a cycle"
+
+
+def test_the_chapter_says_when_the_clock_moved() -> None:
+    assert _clock_moved((3.5, 3.5, 3.45, 3.5)) == ""
+    words = _clock_moved((4.5, 4.2, 4.5, 4.5))
+    assert words == "4.50, 4.20, 4.50 and 4.50 GHz (7.1 % apart)"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import gzip
 import json
+import math
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -16,11 +17,22 @@ from analysis.__main__ import main
 from analysis.cpus import run_labels
 from analysis.cpus.compare import compare
 from analysis.cpus.machines import Unfit, Wanted, add, anonymous, private
-from analysis.cpus.stored_run import MEASURED, fingerprint, load_stored, open_run
+from analysis.cpus.stored_run import (
+    MEASURED,
+    fingerprint,
+    load_stored,
+    open_run,
+    packed,
+)
 from analysis.read.kernel_hash import kernel_hash
 from analysis.read.load import load_run
 from analysis.read.read_json import LoadError
 from analysis.read.run import CLASSES
+from analysis.speed.bounds import with_bounds
+from analysis.speed.limit_tables import at_the_widest, with_instructions
+from analysis.speed.operations_tables import cost_table
+from analysis.speed.tables import speed_cells
+from analysis.trust import noise
 from tests.analysis.conftest import TWO_METHODS
 from tests.analysis.synthetic import write_run
 
@@ -258,3 +270,61 @@ def test_the_build_and_the_analysis_give_the_same_hash(tmp_path: Path) -> None:
     script = str(root / "harness" / "build_info.cmake")
     subprocess.run(["cmake", *options, "-P", script], check=True)
     assert f'kKernelHash[] = "{kernel_hash(root)}"' in out.read_text()
+
+
+def test_a_kept_run_is_noisy_for_the_same_reasons(tmp_path: Path) -> None:
+    folder = write_run(tmp_path / "run", SMALL)
+    for path in folder.glob("speed-*.json"):
+        edit(path, lambda it: it["context"]["pitbench"].update(quiet_share=0.25))
+    whole = load_run(folder)
+    kept = load_stored(add(folder, tmp_path / "runs", Wanted(noisy=True)))
+    assert kept.shards == whole.shards
+    first, second = (noise.judge(run.speed, run.shards) for run in (whole, kept))
+    assert first.word == "noisy"
+    assert "only 25 % of its slices" in first.reasons[0].text
+    assert second.reasons == first.reasons
+
+
+def test_a_kept_run_tells_how_many_instructions_it_executed(
+    run: Path, tmp_path: Path
+) -> None:
+    whole, kept = load_run(run), load_stored(add(run, tmp_path / "runs"))
+    keys = ["method", "scalar", "loop", "isa"]
+    columns = [*keys, "per_call", "per_item", "items_per_iteration"]
+    first, second = (
+        each.instructions[columns].sort_values(keys, ignore_index=True)
+        for each in (whole, kept)
+    )
+    assert len(second) > 0 and kept.not_traced == ""
+    pd.testing.assert_frame_equal(first, second, check_dtype=False)
+    tables = [
+        cost_table(each.operations, each.instructions, "f32") for each in (whole, kept)
+    ]
+    assert tables[1]["instructions"].notna().all()
+    pd.testing.assert_frame_equal(*tables)
+    near = [
+        with_instructions(
+            at_the_widest(
+                with_bounds(speed_cells(each.speed), each.limits, each.operations)
+            ),
+            each.instructions,
+            each.shards,
+        )
+        for each in (whole, kept)
+    ]
+    assert near[0]["instructions"].notna().any()
+    assert near[1]["instructions"].tolist() == pytest.approx(
+        near[0]["instructions"].tolist(), nan_ok=True
+    )
+
+
+def test_a_run_kept_earlier_tells_less_and_loads(run: Path, tmp_path: Path) -> None:
+    folder = add(run, tmp_path / "runs")
+    document = json.loads(gzip.decompress((folder / MEASURED).read_bytes()))
+    del document["instructions"], document["not_traced"]
+    for shard in document["shards"]:
+        shard.pop("quiet_share", None)
+    (folder / MEASURED).write_bytes(packed(document))
+    kept = load_stored(folder)
+    assert kept.instructions.empty and "no count" in kept.not_traced
+    assert all(math.isnan(shard.quiet_share) for shard in kept.shards)

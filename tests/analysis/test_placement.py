@@ -73,6 +73,31 @@ def test_the_words_are_of_the_largest_spread() -> None:
     assert words["slowest"] == "0 bytes on" and words["fastest"] == "16 bytes on"
 
 
+def test_what_may_be_chance_is_not_the_largest_spread() -> None:
+    wide = [1 + k for k in range(9)]
+    unsure = speed_frame(
+        {
+            OTHER: [3.0 * time for time in wide],
+            OTHER + "/placed_16": [5.0 * time for time in wide],
+        }
+    )
+    both = pd.concat([SPEED[SPEED["method"] == "edge_function"], unsure])
+    table = placements(both)
+    found = spreads(both, table)
+    assert found.loc[found["spread"].idxmax(), "method"] == "cross_product"
+    words = placement_words(found)
+    assert words is not None
+    assert (words["method"], words["apart"]) == ("edge_function", 1)
+    assert "edge_function, avx2), more than is sure" in (
+        placement_chart(table, found, "footer").title
+    )
+    alone = spreads(unsure, placements(unsure))
+    words = placement_words(alone)
+    assert words is not None and words["apart"] == 0
+    chart = placement_chart(placements(unsure), alone, "footer")
+    assert "no place is surely slower than another" in chart.title
+
+
 def test_the_chart_says_the_largest_spread_with_its_interval() -> None:
     table = placements(SPEED)
     chart = placement_chart(table, spreads(SPEED, table), "footer")

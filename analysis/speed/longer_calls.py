@@ -1,0 +1,130 @@
+"""Calls that take longer than one of more points.
+
+Where points do not fill a vector they are copied first, and that may cost more
+than the points it spares. Of other such calls the times do not tell why.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import pandas as pd
+
+from analysis.report.columns import number, whole, with_interval, word
+from analysis.report.exhibits import Exhibits
+from analysis.report.wording import counted, listed, nanoseconds
+from analysis.report.wording import with_interval as ratio_words
+from analysis.speed.break_even import WHOLE_VECTOR
+from analysis.speed.input_tables import by_size
+from analysis.speed.tables import samples, widest_isa
+from analysis.trust.stats import CONFIDENCE, ratio_interval
+
+KEY: Final = "longer_calls"
+MOST_ROWS: Final = 30
+COLUMNS: Final = (
+    word("method", "method"),
+    word("scalar", "scalar"),
+    word("isa", "ISA"),
+    whole("n", "points"),
+    number("call_ns", "ns/call"),
+    whole("more_n", "more points"),
+    number("more_ns", "ns/call of these"),
+    with_interval("longer", "× theirs", "interval of all larger numbers at once"),
+)
+
+
+def longer_calls(speed: pd.DataFrame, cells: pd.DataFrame) -> pd.DataFrame:
+    """One row a method, scalar and n of the sweep over n whose call surely takes
+    longer than one of more points, at the widest ISA of the scalar, the largest n
+    first: against that larger number (`more_n`) against which it is surest.
+
+    Which one that is the same noise decides as the interval of the ratio (`longer`);
+    so that is as wide as one that holds for all larger numbers at once (Bonferroni).
+    """
+    rows = by_size(cells)
+    by_cell = samples(speed)
+    found: list[dict[str, Any]] = []
+    for (shard, scalar), group in rows.groupby(["shard", "scalar"], sort=False):
+        isa = widest_isa(group)
+        for method, own in group[group["isa"] == isa].groupby("method", sort=False):
+            calls = own.sort_values("n").to_dict("records")
+            for index, call in enumerate(calls[:-1]):
+                larger = calls[index + 1 :]
+                joint = 1 - (1 - CONFIDENCE) / len(larger)
+                ratios = []
+                for more in larger:
+                    each = ratio_interval(
+                        by_cell[shard, call["name"]],
+                        by_cell[shard, more["name"]],
+                        joint,
+                    )
+                    scale = call["n"] / more["n"]
+                    ratios.append([scale * end for end in each[:3]])
+                surest = max(range(len(larger)), key=lambda at: ratios[at][1])
+                value, low, high = ratios[surest]
+                if not low > 1:
+                    continue
+                found.append(
+                    {
+                        "method": method,
+                        "scalar": scalar,
+                        "isa": isa,
+                        "n": call["n"],
+                        "call_ns": call["ns"] * call["n"],
+                        "more_n": larger[surest]["n"],
+                        "more_ns": larger[surest]["ns"] * larger[surest]["n"],
+                        "longer": value,
+                        "longer_low": low,
+                        "longer_high": high,
+                    }
+                )
+    columns = ["method", "scalar", "isa", "n", "call_ns", "more_n", "more_ns"]
+    ends = ["longer", "longer_low", "longer_high"]
+    table = pd.DataFrame(found, columns=[*columns, *ends])
+    return table.sort_values("n", ascending=False, kind="stable", ignore_index=True)
+
+
+def add_longer_calls(exhibits: Exhibits, table: pd.DataFrame) -> None:
+    if len(table):
+        exhibits.table(
+            KEY,
+            "Calls that surely take longer than one of more points, every method at "
+            "the widest instruction set, set-up included, each against the larger "
+            "number of points against which it is surest.",
+            table,
+            COLUMNS,
+            most_rows=MOST_ROWS,
+        )
+
+
+def longer_words(table: pd.DataFrame) -> str:
+    """How many there are, and those among them that fill a vector, in sentences;
+    empty where there are none.
+    """
+    if not len(table):
+        return ""
+    one = len(table) == 1
+    words = (
+        f"At the widest instruction set {counted(len(table), 'timed number')} of points "
+        f"surely {'takes' if one else 'take'} longer than a larger one, counted for each "
+        "method and scalar."
+    )
+    filled = table[table["n"] >= WHOLE_VECTOR]
+    if not len(filled):
+        return f"{words} None of them fills a vector of {WHOLE_VECTOR}."
+    worst = filled.loc[
+        filled.groupby(["method", "scalar"], sort=False)["longer"].idxmax()
+    ]
+    parts = [
+        f"{row['method']} ({row['scalar']}, {row['isa']}), of which "
+        f"{counted(int(row['n']), 'point')} take {nanoseconds(row['call_ns'])} and "
+        f"{int(row['more_n'])} take {nanoseconds(row['more_ns'])}, "
+        f"a ratio of {ratio_words(row['longer'], row['longer_low'], row['longer_high'])}"
+        for row in worst.to_dict("records")
+    ]
+    return (
+        f"{words} Of {WHOLE_VECTOR} points or more {len(filled)} "
+        f"{'is' if len(filled) == 1 else 'are'}: {listed(parts)}. "
+        "Copying does not explain these, and why they take so long these times do not "
+        "tell."
+    )
