@@ -117,11 +117,12 @@ EXACT_ERRORS = (
     whole("isas", "ISAs"),
     whole("wrong", "wrong answers"),
     whole("of", "of answers"),
+    whole("points", "to points"),
     Column(
         "at most, 95 %",
         lambda row: wording.share(row["error_rate_high"]),
         sort="error_rate_high",
-        hint="upper end of the Wilson interval",
+        hint="upper end of the Wilson interval of the points",
     ),
     whole("holes", "holes"),
     whole("double_hits", "double hits"),

@@ -186,7 +186,8 @@ def add_exact(
         exhibits.table(
             "exact_errors",
             "Wrong answers of the exact methods, all scenes, loops and instruction "
-            "sets of this run together. Where no answer is wrong, the holes of the "
+            "sets of this run together. All instruction sets answer the same points, "
+            "so the bound is that of the points, each counted once. Where no answer is wrong, the holes of the "
             "open form and the double hits of the closed one are those that its "
             "boundary rule brings about on shared edges.",
             errors,

@@ -135,12 +135,15 @@ def exact_words(report: Report) -> dict[str, Any] | None:
     errors, speed = report.exact_errors, report.exact_speed
     if not len(errors):
         return None
-    highest = errors.groupby("scalar")["error_rate_high"].max()
+    of_scalar = errors.groupby("scalar")
+    highest = of_scalar["error_rate_high"].max()
     return {
         "methods": listed(in_order(errors["method"])),
         "wrong": int(errors["wrong"].sum()),
         "wrong_words": grouped(int(errors["wrong"].sum())),
         "of": counted(int(errors["of"].sum()), "answer"),
+        # All of them were asked about the same points.
+        "points": counted(int(of_scalar["points"].max().sum()), "point"),
         "scenes": counted(int(errors["scenes"].max()), "scene"),
         "at_most": listed([f"{short_share(v)} ({s})" for s, v in highest.items()]),
         "worst_case": worst_words(report.cost_curve),
