@@ -10,7 +10,12 @@ import pandas as pd
 
 from analysis.accuracy.cost_curve import worst_words
 from analysis.accuracy.exact_tables import worst_ratios
-from analysis.accuracy.failures import smallest_examples
+from analysis.accuracy.failures import (
+    CHANGES,
+    counted_failures,
+    plainest_examples,
+    told_apart_nowhere,
+)
 from analysis.accuracy.overview import KEYS, failing_most, never_failing
 from analysis.charts import palette, ramp
 from analysis.report.method_families import in_order
@@ -35,6 +40,7 @@ def failure_facts(report: Report) -> dict[str, Any]:
         "overview": overview_words(report),
         "flags": flags_words(report),
         "failures": failures(report),
+        "examples_kept": bool(len(report.run.worst)),
         "exact": exact_words(report),
         "mapped": [
             scalar for scalar in ("f32", "f64") if report.exhibits.get(f"ulps-{scalar}")
@@ -94,11 +100,13 @@ def flags_words(report: Report) -> dict[str, Any] | None:
 
 
 def failures(report: Report) -> list[dict[str, Any]]:
-    """Each method's failure in words, with its smallest example of this run."""
+    """Each method's failure in words, and an example or a count of this run."""
     texts = tomllib.loads(METHODS_TEXT.read_text(encoding="utf-8"))
     accuracy = report.run.accuracy
     rules = dict(zip(accuracy["method"], accuracy["boundary_rule"]))
-    examples = smallest_examples(report.run.worst, rules)
+    examples = plainest_examples(report.run.worst, rules)
+    counts = counted_failures(accuracy)
+    alike = told_apart_nowhere(accuracy)
     warnings = {entry.key: entry.warning for entry in report.run.methods}
     found = []
     for method in in_order(accuracy["method"]):
@@ -112,9 +120,35 @@ def failures(report: Report) -> list[dict[str, Any]]:
                 "example": example,
                 "distance": _distance(example.distance_ulps) if example else "",
                 "answers": _answers(accuracy, method),
+                "failing": failing_words(counts[method]),
+                "alike": _alike_words(*alike[method]) if method in alike else None,
             }
         )
     return found
+
+
+def failing_words(counts: dict[str, int]) -> str:
+    """What of a method's answers was wrong and how; empty if nothing was."""
+    inside, outside = counts["false_inside"], counts["false_outside"]
+    changed = sum(counts[kind] for kind in CHANGES)
+    holes, doubled = counts["hole"], counts["double_hit"]
+    accepted = counts["not_finite_accepted"]
+    parts = [
+        (
+            inside + outside,
+            f"{grouped(inside + outside)} were wrong ({grouped(inside)} false "
+            f"inside, {grouped(outside)} false outside)",
+        ),
+        (holes, f"{counted(holes, 'hole')} came about on meshes"),
+        (doubled, f"{counted(doubled, 'double hit')} beyond the boundary rule"),
+        (changed, f"{grouped(changed)} changed with how the question was put"),
+        (accepted, f"{grouped(accepted)} accepted NaN or ∞"),
+    ]
+    return "; ".join(words for count, words in parts if count)
+
+
+def _alike_words(base: str, cells: int) -> dict[str, str]:
+    return {"base": base, "cells": counted(cells, "cell")}
 
 
 def _distance(ulps: float) -> str:
