@@ -16,6 +16,7 @@ from analysis.accuracy.failures import (
     plainest_examples,
     told_apart_nowhere,
 )
+from analysis.accuracy.flags_axis import MESH
 from analysis.accuracy.overview import KEYS, failing_most, never_failing
 from analysis.charts import palette, ramp
 from analysis.report.method_families import in_order
@@ -81,6 +82,7 @@ def flags_words(report: Report) -> dict[str, Any] | None:
     torn = fused[(fused["base_hole_count"] == 0) & (fused["hole_count"] > 0)]
     warned = table[table["warning"] != ""]
     return {
+        "scene": MESH,
         "pairs": counted(len(fused), "method"),
         "better": int((fused["error"] < fused["base_error"]).sum()),
         "worse": int((fused["error"] > fused["base_error"]).sum()),
@@ -89,6 +91,8 @@ def flags_words(report: Report) -> dict[str, Any] | None:
                 "method": row["base"],
                 "holes": significant(1e6 * row["hole"]),
                 "interval": between(1e6 * row["hole_low"], 1e6 * row["hole_high"]),
+                "double_hits": significant(1e6 * row["double_hit"]),
+                "double_hits_before": significant(1e6 * row["base_double_hit"]),
             }
             for row in torn.to_dict("records")
         ],
