@@ -17,26 +17,37 @@ Samples = dict[tuple[str, str], npt.NDArray[np.float64]]
 
 
 def exact_errors(accuracy: pd.DataFrame) -> pd.DataFrame:
-    """Each exact method's wrong answers over all scenes, ISAs and loops."""
+    """Each exact method's wrong answers over all scenes, ISAs and loops.
+
+    `of` counts answers, `points` what was asked: all ISAs are given the same
+    points, and so are the two layouts of a loop, so their answers are no sample
+    of more points. The interval is that of the points, and a point counts as
+    wrong by the ISA that errs most in its scene.
+    """
     own = accuracy[accuracy["method"].map(is_exact).astype(bool)]
+    own = own.assign(
+        wrong=_total(own, "false_inside", "false_outside"),
+        judged=_total(own, "false_inside_of", "false_outside_of"),
+        asked_by=own["loop"].str.removesuffix("_aos"),
+    )
     rows = []
     for (scalar, method), cells in own.groupby(["scalar", "method"], sort=True):
         sums = {
             key: int(cells[key].astype(float).fillna(0).sum())
-            for kind in ("false_inside", "false_outside", "hole", "double_hit")
-            for key in (kind, f"{kind}_of")
+            for key in ("hole", "double_hit", "hole_of")
         }
-        wrong = sums["false_inside"] + sums["false_outside"]
-        of = sums["false_inside_of"] + sums["false_outside_of"]
-        rate = wilson(wrong, of)
+        asked = cells.groupby(["asked_by", "scene"])[["wrong", "judged"]].max()
+        points = int(asked["judged"].sum())
+        rate = wilson(int(asked["wrong"].sum()), points)
         rows.append(
             {
                 "method": method,
                 "scalar": scalar,
                 "scenes": cells["scene"].nunique(),
                 "isas": cells["isa"].nunique(),
-                "wrong": wrong,
-                "of": of,
+                "wrong": int(cells["wrong"].sum()),
+                "of": int(cells["judged"].sum()),
+                "points": points,
                 "error_rate": rate.value,
                 "error_rate_low": rate.low,
                 "error_rate_high": rate.high,
@@ -45,10 +56,15 @@ def exact_errors(accuracy: pd.DataFrame) -> pd.DataFrame:
                 "queries": sums["hole_of"],
             }
         )
-    columns = ["method", "scalar", "scenes", "isas", "wrong", "of", "error_rate"]
-    columns += ["error_rate_low", "error_rate_high", "holes", "double_hits", "queries"]
+    columns = ["method", "scalar", "scenes", "isas", "wrong", "of", "points"]
+    columns += ["error_rate", "error_rate_low", "error_rate_high"]
+    columns += ["holes", "double_hits", "queries"]
     frame = pd.DataFrame(rows, columns=columns)
     return sort_cells(frame, ["scalar", "method"])
+
+
+def _total(cells: pd.DataFrame, *keys: str) -> pd.Series:
+    return cells[list(keys)].astype(float).fillna(0).sum(axis=1)
 
 
 def exact_speed(

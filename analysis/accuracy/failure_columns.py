@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
-from analysis.accuracy.overview import HARD_FAMILIES, POOLED_CLASSES
+from analysis.accuracy.overview import POOLED_CLASSES, WRONG_ANSWERS
 from analysis.charts import ramp
 from analysis.report import wording
 from analysis.report.columns import number, sentence, whole, with_interval, word
@@ -29,22 +30,51 @@ def failure_rate(key: str, title: str, hint: str = "") -> Column:
         nothing = row[f"{key}_of"] and not row[f"{key}_count"]
         return f"of {short_count(row[f'{key}_of'])}" if nothing else ""
 
-    def tint(row: Row) -> str:
-        if not row[f"{key}_of"]:
-            return ""
-        if not row[f"{key}_count"]:
-            return "rate-none"
-        return f"rate{ramp.level(row[key])}"
-
     return Column(
         title,
         lambda row: short_share(row[key]),
         note,
         sort=key,
         hint=hint,
-        tint=tint,
+        tint=lambda row: _tint(row, key),
         tip=lambda row: _tip(row, key),
     )
+
+
+def wrong_answers(key: str, title: str) -> Column:
+    """The rate of false inside over that of false outside, each in its colour;
+    as failure_rate() where there is neither.
+    """
+    plain = failure_rate(key, title, "false inside over false outside")
+    inside, outside = f"{key}_inside", f"{key}_outside"
+
+    def note(row: Row) -> str:
+        if row[f"{key}_count"]:
+            return short_share(row[outside])
+        return plain.note(row) if plain.note else ""
+
+    def tint(row: Row) -> str:
+        if not row[f"{key}_count"]:
+            return _tint(row, key)
+        return f"{_tint(row, inside)} under-{_tint(row, outside) or 'unknown'}".strip()
+
+    def tip(row: Row) -> str:
+        if not row[f"{key}_count"]:
+            return _tip(row, key)
+        return f"false inside: {_tip(row, inside)}; outside: {_tip(row, outside)}"
+
+    def show(row: Row) -> str:
+        return short_share(row[inside] if row[f"{key}_count"] else row[key])
+
+    return dataclasses.replace(plain, show=show, note=note, tint=tint, tip=tip)
+
+
+def _tint(row: Row, key: str) -> str:
+    if not row[f"{key}_of"]:
+        return ""
+    if not row[f"{key}_count"]:
+        return "rate-none"
+    return f"rate{ramp.level(row[key])}"
 
 
 def _tip(row: Row, key: str) -> str:
@@ -77,7 +107,7 @@ OVERVIEW = (
         numeric=False,
         tip=lambda row: f"on {row['isa']}",
     ),
-    *(failure_rate(key, title, "wrong answers") for key, title in HARD_FAMILIES),
+    *(wrong_answers(key, title) for key, title, _ in WRONG_ANSWERS),
     failure_rate("degenerate", "flat triangle accepted"),
     Column(
         _BOUNDARY.title,
@@ -117,11 +147,12 @@ EXACT_ERRORS = (
     whole("isas", "ISAs"),
     whole("wrong", "wrong answers"),
     whole("of", "of answers"),
+    whole("points", "to points"),
     Column(
         "at most, 95 %",
         lambda row: wording.share(row["error_rate_high"]),
         sort="error_rate_high",
-        hint="upper end of the Wilson interval",
+        hint="upper end of the Wilson interval of the points",
     ),
     whole("holes", "holes"),
     whole("double_hits", "double hits"),

@@ -9,6 +9,7 @@ import pandas as pd
 from analysis.accuracy import accuracy_tables, failure_columns
 from analysis.accuracy.accuracy_charts import errors_along
 from analysis.accuracy.cost_curve import curve_chart
+from analysis.accuracy.flags_axis import MESH
 from analysis.accuracy.gradients import gradients_chart
 from analysis.accuracy.hardness import HARDNESSES, Hardness
 from analysis.accuracy.heat_maps import heat_map
@@ -42,8 +43,12 @@ def add_overview(exhibits: Exhibits, overviews: dict[str, pd.DataFrame]) -> None
             f"overview-{scalar}",
             f"What goes wrong, {scalar} on {isas.iloc[0] if len(isas) else ''}: the "
             "share of answers that fail in each way, all scenes of the run that ask "
-            "for it together. White: none of so many. A dash: not measured. Point at "
-            "a number for its count and interval. Holes and double hits are those "
+            "for it together. Where answers are wrong, the upper number is the share "
+            "of the points outside that were called inside (false inside), the lower "
+            "that of the points inside that were called outside. White: none of so "
+            "many. A dash: not measured. Point at a number for its count and "
+            "interval. Special values are zeros of either sign, subnormal and the "
+            "largest numbers; the corpus is cases from bug reports. Holes and double hits are those "
             "beyond what the method's boundary rule brings about – an open triangle "
             "leaves its edges to nobody, two closed ones share theirs – as the exact "
             "method of that rule shows it on the same points; so they are at least "
@@ -60,8 +65,8 @@ def add_flags(exhibits: Exhibits, table: pd.DataFrame) -> None:
             "flags_axis",
             "What a compiler's flag changes: each form with multiply-add, or with a "
             "warning, beside the plain one. ⚠: kept as a warning. Holes and double "
-            "hits are shares of the points asked on meshes, beyond those that the "
-            "boundary rule brings about.",
+            f"hits are shares of the points of {MESH}, which lie at the shared edge "
+            "of two triangles, beyond those that the boundary rule brings about.",
             table,
             failure_columns.FLAGS_AXIS,
         )
@@ -186,7 +191,8 @@ def add_exact(
         exhibits.table(
             "exact_errors",
             "Wrong answers of the exact methods, all scenes, loops and instruction "
-            "sets of this run together. Where no answer is wrong, the holes of the "
+            "sets of this run together. All instruction sets answer the same points, "
+            "so the bound is that of the points, each counted once. Where no answer is wrong, the holes of the "
             "open form and the double hits of the closed one are those that its "
             "boundary rule brings about on shared edges.",
             errors,

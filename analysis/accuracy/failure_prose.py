@@ -10,7 +10,13 @@ import pandas as pd
 
 from analysis.accuracy.cost_curve import worst_words
 from analysis.accuracy.exact_tables import worst_ratios
-from analysis.accuracy.failures import smallest_examples
+from analysis.accuracy.failures import (
+    CHANGES,
+    counted_failures,
+    plainest_examples,
+    told_apart_nowhere,
+)
+from analysis.accuracy.flags_axis import MESH
 from analysis.accuracy.overview import KEYS, failing_most, never_failing
 from analysis.charts import palette, ramp
 from analysis.report.method_families import in_order
@@ -35,6 +41,7 @@ def failure_facts(report: Report) -> dict[str, Any]:
         "overview": overview_words(report),
         "flags": flags_words(report),
         "failures": failures(report),
+        "examples_kept": bool(len(report.run.worst)),
         "exact": exact_words(report),
         "mapped": [
             scalar for scalar in ("f32", "f64") if report.exhibits.get(f"ulps-{scalar}")
@@ -75,6 +82,7 @@ def flags_words(report: Report) -> dict[str, Any] | None:
     torn = fused[(fused["base_hole_count"] == 0) & (fused["hole_count"] > 0)]
     warned = table[table["warning"] != ""]
     return {
+        "scene": MESH,
         "pairs": counted(len(fused), "method"),
         "better": int((fused["error"] < fused["base_error"]).sum()),
         "worse": int((fused["error"] > fused["base_error"]).sum()),
@@ -83,6 +91,8 @@ def flags_words(report: Report) -> dict[str, Any] | None:
                 "method": row["base"],
                 "holes": significant(1e6 * row["hole"]),
                 "interval": between(1e6 * row["hole_low"], 1e6 * row["hole_high"]),
+                "double_hits": significant(1e6 * row["double_hit"]),
+                "double_hits_before": significant(1e6 * row["base_double_hit"]),
             }
             for row in torn.to_dict("records")
         ],
@@ -94,11 +104,13 @@ def flags_words(report: Report) -> dict[str, Any] | None:
 
 
 def failures(report: Report) -> list[dict[str, Any]]:
-    """Each method's failure in words, with its smallest example of this run."""
+    """Each method's failure in words, and an example or a count of this run."""
     texts = tomllib.loads(METHODS_TEXT.read_text(encoding="utf-8"))
     accuracy = report.run.accuracy
     rules = dict(zip(accuracy["method"], accuracy["boundary_rule"]))
-    examples = smallest_examples(report.run.worst, rules)
+    examples = plainest_examples(report.run.worst, rules)
+    counts = counted_failures(accuracy)
+    alike = told_apart_nowhere(accuracy)
     warnings = {entry.key: entry.warning for entry in report.run.methods}
     found = []
     for method in in_order(accuracy["method"]):
@@ -112,9 +124,35 @@ def failures(report: Report) -> list[dict[str, Any]]:
                 "example": example,
                 "distance": _distance(example.distance_ulps) if example else "",
                 "answers": _answers(accuracy, method),
+                "failing": failing_words(counts[method]),
+                "alike": _alike_words(*alike[method]) if method in alike else None,
             }
         )
     return found
+
+
+def failing_words(counts: dict[str, int]) -> str:
+    """What of a method's answers was wrong and how; empty if nothing was."""
+    inside, outside = counts["false_inside"], counts["false_outside"]
+    changed = sum(counts[kind] for kind in CHANGES)
+    holes, doubled = counts["hole"], counts["double_hit"]
+    accepted = counts["not_finite_accepted"]
+    parts = [
+        (
+            inside + outside,
+            f"{grouped(inside + outside)} were wrong ({grouped(inside)} false "
+            f"inside, {grouped(outside)} false outside)",
+        ),
+        (holes, f"{counted(holes, 'hole')} came about on meshes"),
+        (doubled, f"{counted(doubled, 'double hit')} beyond the boundary rule"),
+        (changed, f"{grouped(changed)} changed with how the question was put"),
+        (accepted, f"{grouped(accepted)} accepted NaN or ∞"),
+    ]
+    return "; ".join(words for count, words in parts if count)
+
+
+def _alike_words(base: str, cells: int) -> dict[str, str]:
+    return {"base": base, "cells": counted(cells, "cell")}
 
 
 def _distance(ulps: float) -> str:
@@ -135,12 +173,15 @@ def exact_words(report: Report) -> dict[str, Any] | None:
     errors, speed = report.exact_errors, report.exact_speed
     if not len(errors):
         return None
-    highest = errors.groupby("scalar")["error_rate_high"].max()
+    of_scalar = errors.groupby("scalar")
+    highest = of_scalar["error_rate_high"].max()
     return {
         "methods": listed(in_order(errors["method"])),
         "wrong": int(errors["wrong"].sum()),
         "wrong_words": grouped(int(errors["wrong"].sum())),
         "of": counted(int(errors["of"].sum()), "answer"),
+        # All of them were asked about the same points.
+        "points": counted(int(of_scalar["points"].max().sum()), "point"),
         "scenes": counted(int(errors["scenes"].max()), "scene"),
         "at_most": listed([f"{short_share(v)} ({s})" for s, v in highest.items()]),
         "worst_case": worst_words(report.cost_curve),

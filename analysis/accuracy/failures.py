@@ -1,4 +1,4 @@
-"""The smallest input of the run on which each method fails."""
+"""How often each method fails in a run, and an input on which it does."""
 
 from __future__ import annotations
 
@@ -10,6 +10,10 @@ from types import MappingProxyType
 import numpy as np
 import pandas as pd
 
+from analysis.accuracy.overview import beyond_rule
+from analysis.read.run import CLASSES
+from analysis.report.method_families import FMA_SUFFIX
+
 # What is asked first: a plainly wrong answer, then a hole, then an answer that
 # changes with how the same question is put.
 _KINDS = (
@@ -18,6 +22,7 @@ _KINDS = (
     ("rotated_vertices", "swapped_vertices", "reversed_winding", "negated"),
     ("scaled_by_power_of_two", "not_finite_accepted"),
 )
+CHANGES = (*_KINDS[2], "scaled_by_power_of_two")
 # Scenes whose inputs a reader can follow stand before the others.
 _PLAIN_FAMILIES = ("corpus", "near_edge", "near_vertex")
 
@@ -53,12 +58,13 @@ class Example:
     corners: tuple[tuple[str, str, str], ...]
 
 
-def smallest_examples(
+def plainest_examples(
     worst: pd.DataFrame, rules: Mapping[str, str] = MappingProxyType({})
 ) -> dict[str, Example]:
-    """Method → its smallest example: of the plainest kind that it has, from
-    the plainest scenes, the one that takes the fewest characters. `rules`:
-    method → its boundary rule; what that brings about is no failure.
+    """Method → of the failing inputs that its cells keep, which are the two
+    farthest from the boundary of each kind, that of the plainest kind, from the
+    plainest scenes, that takes the fewest characters. `rules`: method → its
+    boundary rule; what that brings about is no failure.
     """
     by_rule = [
         distance == 0 and kind in _BY_RULE.get(rules.get(method, ""), ())
@@ -79,6 +85,40 @@ def smallest_examples(
     order += ["a", "b", "c", "p", "loop", "isa"]
     first = keyed.sort_values(order).drop_duplicates("method")
     return {row["method"]: _example(row) for row in first.to_dict("records")}
+
+
+def counted_failures(accuracy: pd.DataFrame) -> dict[str, dict[str, int]]:
+    """Method → kind of failure → how many of all its answers, holes and double
+    hits beyond what its boundary rule brings about.
+    """
+    kinds = [kind for group in _KINDS for kind in group]
+    parts = [beyond_rule(part) for _, part in accuracy.groupby("scalar")]
+    if not parts:
+        return {}
+    counts = pd.concat(parts)[["method", *kinds]].set_index("method")
+    sums = counts.astype(float).fillna(0).groupby(level=0).sum().astype(int)
+    return {str(method): dict(row) for method, row in sums.to_dict("index").items()}
+
+
+def told_apart_nowhere(accuracy: pd.DataFrame) -> dict[str, tuple[str, int]]:
+    """Form by multiply-add → the method that it is a form of, if all counts of
+    the two are the same in every cell that both have, and how many these are.
+    """
+    keys = ["scalar", "loop", "scene", "isa"]
+    counts = accuracy[["method", *keys, *CLASSES]].set_index("method")
+    counts[CLASSES] = counts[CLASSES].astype(float).fillna(-1)
+    found = {}
+    for method in sorted(set(counts.index)):
+        base = method.removesuffix(FMA_SUFFIX)
+        if base == method or base not in counts.index:
+            continue
+        both = counts.loc[[method]].merge(
+            counts.loc[[base]], on=keys, suffixes=("", "_base")
+        )
+        base_counts = both[[f"{kind}_base" for kind in CLASSES]]
+        if len(both) and (both[CLASSES].to_numpy() == base_counts.to_numpy()).all():
+            found[method] = (base, len(both))
+    return found
 
 
 def _example(row: dict[str, object]) -> Example:

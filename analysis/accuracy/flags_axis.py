@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from typing import Final
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +16,9 @@ from analysis.report.method_families import FMA_SUFFIX, in_order
 from analysis.speed.tables import reference_cells, samples
 from analysis.trust.stats import ratio_interval
 
+# Holes and double hits are those of one scene, since a profile chooses how far
+# from the edge it looks and pooled rates would follow it.
+MESH: Final = "mesh_pair:ulps=0"
 _SHOWN = {"error": "near_edge", "hole": "hole", "double_hit": "double_hit"}
 # Forms whose name does not say what they are a form of.
 _FORM_OF = {"cross_product_fast_math": "cross_product_det"}
@@ -52,11 +56,12 @@ def flags_axis(
 ) -> pd.DataFrame:
     """One row a form of a method and scalar: its failures and those of the
     method that it is a form of, and its time over that one's (on its ISA).
+    Errors are those near an edge, holes and double hits those on MESH.
     """
     by_cell = samples(speed)
     rows = []
     for scalar in scalars:
-        table = overview(accuracy, scalar).set_index("method")
+        table = _on_mesh(accuracy, scalar)
         timed = reference_cells(cells, scalar, "one_triangle")
         forms = bases(table.index, entries)
         for method, (base, warning) in forms.items():
@@ -78,6 +83,21 @@ def flags_axis(
     return pd.DataFrame(
         rows, columns=[*columns, "time", "time_low", "time_high", "warning"]
     )
+
+
+def _on_mesh(accuracy: pd.DataFrame, scalar: str) -> pd.DataFrame:
+    """The overview by method, with the holes and double hits of MESH alone."""
+    table = overview(accuracy, scalar).set_index("method")
+    mesh = overview(accuracy[accuracy["scene"] == MESH], scalar).set_index("method")
+    of_mesh = [
+        f"{key}{end}" for key in ("hole", "double_hit") for end in (*_ENDS, "_by_rule")
+    ]
+    found = mesh.reindex(index=table.index)[of_mesh]
+    counts = [
+        column for column in of_mesh if column.endswith(("_count", "_of", "rule"))
+    ]
+    found[counts] = found[counts].fillna(0).astype(int)
+    return table.drop(columns=of_mesh).join(found)
 
 
 def _nothing(end: str) -> float:

@@ -18,7 +18,7 @@ _BY_RULE = {
     ("closed", "double_hit"): "exact",
     ("half_open", "double_hit"): "exact",
 }
-# Families of scenes with wrong answers as a column: key, title.
+# Families of scenes that are hard by a parameter: key, title.
 HARD_FAMILIES = (
     ("near_edge", "near an edge"),
     ("near_vertex", "near a vertex"),
@@ -26,6 +26,14 @@ HARD_FAMILIES = (
     ("offset", "far away"),
     ("scale", "tiny or huge"),
     ("exponent_spread", "exponents spread"),
+)
+# What has its wrong answers in a column: key, title, the families. Scenes of
+# special values are those of finite ones: NaN and infinity have their own class.
+WRONG_ANSWERS = (
+    *((family, title, (family,)) for family, title in HARD_FAMILIES),
+    ("special", "special values", ("special",)),
+    ("mesh", "meshes", ("mesh_pair", "mesh_fan", "mesh_triangulation")),
+    ("corpus", "corpus", ("corpus",)),
 )
 # Classes of failure pooled over all scenes that have them: key, title, classes.
 POOLED_CLASSES = (
@@ -38,16 +46,22 @@ POOLED_CLASSES = (
     ("power_of_two", "other scale", ("scaled_by_power_of_two",)),
 )
 KEYS = (
-    [key for key, _ in HARD_FAMILIES]
+    [key for key, _, _ in WRONG_ANSWERS]
     + ["degenerate", "boundary"]
     + [key for key, _, _ in POOLED_CLASSES]
 )
+# The two kinds of a wrong answer.
+APART = [
+    f"{key}_{kind}" for key, _, _ in WRONG_ANSWERS for kind in ("inside", "outside")
+]
 
 
 def overview(accuracy: pd.DataFrame, scalar: str) -> pd.DataFrame:
     """One row a method, on the widest ISA that it has and in each family's
     main loop; for each key of KEYS
     the rate, its interval, the count and of how many (`of` 0: not measured).
+    Wrong answers also have these apart: `_inside` of the points that are
+    outside, and `_outside` of those that are inside.
 
     `boundary` is how often the method breaks the rule that it declares: a
     closed one that rejects, an open one that accepts. Half-open and top-left
@@ -84,7 +98,7 @@ def overview(accuracy: pd.DataFrame, scalar: str) -> pd.DataFrame:
     columns = ["method", "isa", "accepts", "boundary_rule"]
     columns += [
         f"{key}{end}"
-        for key in [*KEYS, "boundary_accepted"]
+        for key in [*KEYS, *APART, "boundary_accepted"]
         for end in ("", "_low", "_high", "_count", "_of")
     ] + ["hole_by_rule", "double_hit_by_rule"]
     return pd.DataFrame(rows, columns=columns)
@@ -121,24 +135,33 @@ def _counts(cells: pd.DataFrame) -> list[tuple[str, int, int]]:
     total: Callable[[pd.DataFrame, str], int] = lambda part, key: int(
         part[key].astype(float).fillna(0).sum()
     )
-    for family, _ in HARD_FAMILIES:
-        part = cells[cells["family"] == family]
-        wrong = total(part, "false_inside") + total(part, "false_outside")
-        asked = total(part, "false_inside_of") + total(part, "false_outside_of")
-        found.append((family, wrong, asked))
+    for key, _, families in WRONG_ANSWERS:
+        part = cells[cells["family"].isin(families)]
+        if key == "special":
+            part = part[part["not_finite"].astype(float).fillna(0) == 0]
+        wrong = {kind: total(part, f"false_{kind}") for kind in ("inside", "outside")}
+        asked = {kind: total(part, f"false_{kind}_of") for kind in wrong}
+        found.append((key, sum(wrong.values()), sum(asked.values())))
+        found += [(f"{key}_{kind}", wrong[kind], asked[kind]) for kind in wrong]
     flat = cells[cells["family"] == "degenerate"]
     found.append(
         ("degenerate", total(flat, "false_inside"), total(flat, "false_inside_of"))
     )
     accepted = total(cells, "boundary_accepted")
-    of = total(cells, "boundary_accepted_of")
+    on_boundary = total(cells, "boundary_accepted_of")
     rule = cells["boundary_rule"].iloc[0]
-    broken = {"closed": of - accepted, "open": accepted}.get(rule, 0)
-    found.append(("boundary", broken, of if rule in ("closed", "open") else 0))
+    broken = {"closed": on_boundary - accepted, "open": accepted}.get(rule, 0)
+    ruled = on_boundary if rule in ("closed", "open") else 0
+    found.append(("boundary", broken, ruled))
     for key, _, kinds in POOLED_CLASSES:
         count = sum(total(cells, kind) for kind in kinds)
-        found.append((key, count, sum(total(cells, f"{kind}_of") for kind in kinds)))
-    found.append(("boundary_accepted", accepted, of))
+        of = sum(total(cells, f"{kind}_of") for kind in kinds)
+        if "swapped_vertices" in kinds:
+            # Counted only where a reversal changes nothing, so of so many.
+            swapped = cells[cells["swapped_vertices_of"].notna()]
+            of -= total(swapped, "reversed_winding")
+        found.append((key, count, of))
+    found.append(("boundary_accepted", accepted, on_boundary))
     return found
 
 

@@ -49,9 +49,12 @@ def rgb(text: str) -> Colour:
 
 
 def css() -> str:
-    """A class of the page's style for each level."""
+    """Two classes of the page's style for each level: of a cell, and, with
+    `under-`, of its second line alone.
+    """
     return "\n".join(
-        f"td.rate{index} {{ background: {text}; "
+        f"{cell}{index}{part} {{ background: {text}; "
         f"color: {'#FFFFFF' if index >= _LIGHT_TEXT_FROM else '#1D1D1F'}; }}"
+        for cell, part in (("td.rate", ""), ("table td.under-rate", " small"))
         for index, text in enumerate(COLOURS)
     )

@@ -17,7 +17,7 @@ from typing import Any, Final
 import weasyprint
 
 from analysis.accuracy.ulp_maps import answers_chart
-from analysis.report.exhibits import Exhibit, Exhibits
+from analysis.report.exhibits import Exhibit, Exhibits, ShownCell
 from analysis.report.page import filled
 from analysis.report.paper_svg import for_paper
 from analysis.report.prose import facts, worth_a_row
@@ -36,7 +36,7 @@ class Cut:
     named: bool = False
     rows: int | None = None
     without: tuple[str, ...] = ()
-    notes: bool = True  # whether the smaller second lines stay
+    notes: bool = True  # whether second lines stay that hold no number of their own
 
 
 WHOLE: Final = Cut()
@@ -132,14 +132,16 @@ def cut(exhibit: Exhibit, wanted: Cut, methods: set[str]) -> Exhibit:
         exhibit,
         columns=tuple(exhibit.columns[place] for place in places),
         rows=tuple(
-            tuple(
-                row[at] if wanted.notes else dataclasses.replace(row[at], note="")
-                for at in places
-            )
+            tuple(row[at] if wanted.notes else _without_note(row[at]) for at in places)
             for row in rows
         ),
         left_out=exhibit.left_out + len(exhibit.rows) - len(rows),
     )
+
+
+def _without_note(cell: ShownCell) -> ShownCell:
+    """Without its second line, unless that is a number in a colour of its own."""
+    return cell if "under-" in cell.tint else dataclasses.replace(cell, note="")
 
 
 def pdf(page: str) -> bytes:

@@ -13,7 +13,7 @@ from tests.analysis.test_tables import FIXED, FRESH, accuracy_frame, name, speed
 L3 = "uniform:hit=50:n=262144:sets=fresh"
 
 
-def test_errors_are_summed_over_scenes_and_isas() -> None:
+def test_answers_are_summed_over_isas_but_points_are_counted_once() -> None:
     cells = {
         name("exact", isa, scene): (100, 0, 300, 0)
         for isa in ("avx2", "avx512")
@@ -25,7 +25,27 @@ def test_errors_are_summed_over_scenes_and_isas() -> None:
     row = table.iloc[0]
     assert list(table["method"]) == ["exact"]
     assert (row["wrong"], row["of"], row["scenes"], row["isas"]) == (0, 1600, 2, 2)
-    assert row["error_rate_high"] == wilson(0, 1600).high
+    assert row["points"] == 800
+    assert row["error_rate_high"] == wilson(0, 800).high
+
+
+def test_a_loop_has_points_of_its_own_but_a_layout_has_not() -> None:
+    cells = {
+        name("exact", "avx2", "near_edge:ulps=1", loop): (100, 0, 300, 0)
+        for loop in ("one_triangle", "one_triangle_aos", "pairs")
+    }
+    row = exact_errors(accuracy_frame(cells)).iloc[0]
+    assert (row["of"], row["points"]) == (1200, 800)
+
+
+def test_a_point_is_wrong_by_the_isa_that_errs_most() -> None:
+    cells = {
+        name("exact", "avx2", "near_edge:ulps=1"): (100, 3, 300, 0),
+        name("exact", "avx512", "near_edge:ulps=1"): (100, 1, 300, 1),
+    }
+    row = exact_errors(accuracy_frame(cells)).iloc[0]
+    assert (row["wrong"], row["points"]) == (5, 400)
+    assert row["error_rate_high"] == wilson(3, 400).high
 
 
 def test_a_broken_promise_is_counted() -> None:

@@ -8,8 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from analysis.accuracy.failures import decimal, smallest_examples
+from analysis.accuracy.failure_prose import failing_words
+from analysis.accuracy.failures import (
+    counted_failures,
+    decimal,
+    plainest_examples,
+    told_apart_nowhere,
+)
 from analysis.read.run import WORST_COLUMNS
+from tests.analysis.test_tables import accuracy_frame, name
 
 LONG = "0x1.99999ap-4 0x1.333334p-2"
 
@@ -27,7 +34,7 @@ def worst(*rows: tuple[str, str, str, str]) -> pd.DataFrame:
 
 
 def point(table: pd.DataFrame, method: str = "m") -> str:
-    return smallest_examples(table)[method].corners[3][1]
+    return plainest_examples(table)[method].corners[3][1]
 
 
 def test_the_shortest_input_is_taken() -> None:
@@ -52,16 +59,16 @@ def test_a_wrong_answer_stands_before_one_that_only_changes() -> None:
         ("m", "corpus", "reversed_winding", "0x1p-1 0x1p-2"),
         ("m", "scale", "false_outside", LONG),
     )
-    found = smallest_examples(table)["m"]
+    found = plainest_examples(table)["m"]
     assert found.what == "inside by exact arithmetic, called outside"
 
 
 def test_a_method_that_never_failed_has_no_example() -> None:
-    assert smallest_examples(worst()) == {}
+    assert plainest_examples(worst()) == {}
 
 
 def test_corners_are_named_and_given_in_both_ways() -> None:
-    example = smallest_examples(worst(("m", "corpus", "hole", "0x1p-1 -0x1.8p+1")))["m"]
+    example = plainest_examples(worst(("m", "corpus", "hole", "0x1p-1 -0x1.8p+1")))["m"]
     assert example.corners[3] == ("p", "(0x1p-1, -0x1.8p+1)", "(0.5, -3)")
     assert example.distance_ulps == 1.5
 
@@ -90,3 +97,39 @@ def test_a_decimal_is_read_back_as_the_same_number(value: float) -> None:
 @given(st.floats(allow_nan=False, allow_infinity=False))
 def test_a_decimal_of_f64_is_read_back_as_the_same_number(value: float) -> None:
     assert float(decimal(value.hex(), "f64")) == value
+
+
+EDGE, MESH = "near_edge:ulps=1", "mesh_pair:ulps=0"
+
+
+def test_failures_are_counted_over_all_cells_but_not_what_the_rule_brings() -> None:
+    cells = accuracy_frame(
+        {
+            name("edge_function", "avx2", EDGE): (100, 10, 300, 3),
+            name("edge_function", "scalar", EDGE): (100, 10, 300, 3),
+            name("edge_function", "avx2", MESH): (50, 0, 50, 0),
+            name("exact", "avx2", MESH): (50, 0, 50, 0),
+        }
+    )
+    cells.loc[cells["family"] == "mesh_pair", ["double_hit", "double_hit_of"]] = [7, 40]
+    own = (cells["family"] == "mesh_pair") & (cells["method"] == "edge_function")
+    cells.loc[own, "double_hit"] = 9
+    cells.loc[own, ["negated", "negated_of"]] = [4, 40]
+    counts = counted_failures(cells)
+    assert failing_words(counts["edge_function"]) == (
+        "26 were wrong (6 false inside, 20 false outside); 2 double hits beyond the "
+        "boundary rule; 4 changed with how the question was put"
+    )
+    assert failing_words(counts["exact"]) == ""
+
+
+def test_a_form_whose_counts_are_all_the_same_is_told() -> None:
+    cells = {
+        name(method, isa, EDGE): (100, 10, 300, 3)
+        for method in ("edge_function", "edge_function_fma", "lone_fma")
+        for isa in ("avx2", "avx512")
+    }
+    same = accuracy_frame(cells)
+    assert told_apart_nowhere(same) == {"edge_function_fma": ("edge_function", 2)}
+    cells[name("edge_function_fma", "avx2", EDGE)] = (100, 10, 300, 4)
+    assert told_apart_nowhere(accuracy_frame(cells)) == {}

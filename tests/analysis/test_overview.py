@@ -7,8 +7,8 @@ import math
 import pandas as pd
 import pytest
 
-from analysis.accuracy.failure_columns import failure_rate
-from analysis.accuracy.flags_axis import bases, flags_axis
+from analysis.accuracy.failure_columns import failure_rate, wrong_answers
+from analysis.accuracy.flags_axis import MESH, bases, flags_axis
 from analysis.accuracy.overview import failing_most, never_failing, overview
 from analysis.charts import ramp
 from analysis.read.run import MethodEntry
@@ -59,6 +59,42 @@ def test_classes_are_pooled_over_all_scenes_that_have_them() -> None:
     row = overview(frame(), "f32").iloc[0]
     assert (row["hole_count"], row["hole_of"]) == (3, 40)
     assert (row["order_count"], row["order_of"]) == (4 * 1 + 4 * 2, 4 * 200)
+
+
+def test_swaps_are_counted_of_those_that_a_reversal_does_not_change() -> None:
+    cells = frame()
+    cells[["reversed_winding", "reversed_winding_of"]] = [30, 100]
+    row = overview(cells, "f32").iloc[0]
+    assert (row["order_count"], row["order_of"]) == (4 * 3, 4 * (100 + 100 - 30))
+    assert (row["winding_count"], row["winding_of"]) == (4 * 30, 4 * 100)
+
+
+def test_special_values_the_corpus_and_meshes_have_their_wrong_answers() -> None:
+    cells = accuracy_frame(
+        {
+            name("m", "avx2", "special:kind=subnormal"): (100, 5, 300, 60),
+            name("m", "avx2", "special:kind=largest"): (100, 0, 100, 0),
+            name("m", "avx2", "special:kind=nan"): (100, 9, 300, 9),
+            name("m", "avx2", "corpus"): (4, 0, 3, 1),
+            name("m", "avx2", "mesh_pair:ulps=0"): (50, 7, 50, 0),
+            name("m", "avx2", "mesh_fan:ulps=0"): (50, 0, 50, 2),
+        }
+    )
+    cells["not_finite"] = [9 * (s == "special:kind=nan") for s in cells["scene"]]
+    row = overview(cells, "f32").iloc[0]
+    assert (row["special_count"], row["special_of"]) == (65, 600)
+    assert (row["corpus_count"], row["corpus_of"]) == (1, 7)
+    assert (row["mesh_count"], row["mesh_of"]) == (9, 200)
+    assert failing_most(overview(cells, "f32"), "special") == ("m", 65 / 600)
+
+
+def test_false_inside_and_false_outside_stand_apart() -> None:
+    row = overview(frame(), "f32").iloc[0]
+    assert (row["near_edge_inside_count"], row["near_edge_inside_of"]) == (48, 700)
+    assert (row["near_edge_outside_count"], row["near_edge_outside_of"]) == (12, 300)
+    low, high = wilson(12, 300)[1:3]
+    assert row["near_edge_outside"] == 0.04
+    assert (row["near_edge_outside_low"], row["near_edge_outside_high"]) == (low, high)
 
 
 @pytest.mark.parametrize(
@@ -118,6 +154,32 @@ def test_a_cell_shows_its_rate_of_how_many_and_its_colour() -> None:
     unknown = failure_rate("offset", "far away")
     assert unknown.note is not None and unknown.tint is not None
     assert (unknown.show(row), unknown.note(row), unknown.tint(row)) == ("–", "", "")
+
+
+def test_a_cell_shows_false_inside_over_false_outside_each_in_its_colour() -> None:
+    row = overview(frame(), "f32").iloc[0].to_dict()
+    shown = wrong_answers("near_edge", "near an edge")
+    assert shown.tint is not None and shown.tip is not None and shown.note is not None
+    assert (shown.show(row), shown.note(row)) == ("6.9\u00a0%", "4.0\u00a0%")
+    assert shown.tint(row) == "rate4 under-rate4"
+    tip = shown.tip(row)
+    assert tip.startswith("false inside: 48 of 700: ") and "outside: 12 of 300" in tip
+    row |= {"near_edge_inside_count": 0, "near_edge_inside": 0.0}
+    assert shown.tint(row) == "rate-none under-rate4"
+    row |= {"near_edge_outside_count": 3, "near_edge_outside": 3e-6}
+    assert shown.tint(row) == "rate-none under-rate0"
+    none = wrong_answers("needle", "needles")
+    assert none.note is not None and none.tint is not None and none.tip is not None
+    assert (none.show(row), none.note(row)) == ("0", "of 100")
+    assert none.tint(row) == "rate-none"
+    assert none.tip(row).startswith("0 of 100")
+
+
+def test_every_colour_of_a_second_line_is_in_the_style() -> None:
+    style = ramp.css()
+    for level, colour in enumerate(ramp.COLOURS):
+        assert f"td.rate{level} {{ background: {colour};" in style
+        assert f"td.under-rate{level} small {{ background: {colour};" in style
 
 
 @pytest.mark.parametrize(
@@ -188,3 +250,32 @@ def test_a_flag_changes_errors_and_time_side_by_side() -> None:
     assert (row["base_error"], row["error"]) == (0.1, 0.01)
     assert row["time"] == 0.5
     assert row["hole_of"] == 0
+
+
+def test_holes_of_a_flag_are_those_of_one_scene_whatever_else_a_profile_has() -> None:
+    cells = accuracy_frame(
+        {
+            name(method, "avx2", scene): (50, 0, 50, 0)
+            for method in ("edge_function", "edge_function_fma")
+            for scene in (EDGE, MESH, "mesh_pair:ulps=4096", "mesh_fan:ulps=0")
+        }
+    )
+    asked = cells["family"].str.startswith("mesh")
+    cells.loc[asked, ["hole", "hole_of", "double_hit", "double_hit_of"]] = [
+        0,
+        40,
+        0,
+        40,
+    ]
+    cells.loc[asked & (cells["scene"] != MESH), "hole"] = 30
+    torn = (cells["scene"] == MESH) & (cells["method"] == "edge_function_fma")
+    cells.loc[torn, ["hole", "double_hit"]] = [4, 2]
+    speed = speed_frame({name("edge_function", "avx2", FRESH): [4.0]})
+    table = flags_axis(cells, speed, speed_cells(speed), (), ["f32"])
+    row = table.iloc[0]
+    assert (row["hole_count"], row["hole_of"], row["hole"]) == (4, 40, 0.1)
+    assert (row["base_hole_count"], row["base_hole_of"]) == (0, 40)
+    assert (row["double_hit_count"], row["base_double_hit_count"]) == (2, 0)
+    without = cells[cells["scene"] != MESH]
+    row = flags_axis(without, speed, speed_cells(speed), (), ["f32"]).iloc[0]
+    assert (row["hole_count"], row["hole_of"]) == (0, 0) and math.isnan(row["hole"])

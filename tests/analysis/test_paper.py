@@ -84,6 +84,15 @@ def test_a_cut_table_says_how_many_rows_are_in_its_file(report: Report) -> None:
     assert short.csv is table.csv
     bare = cut(table, Cut(rows=2, notes=False), set())
     assert all(cell.note == "" for row in bare.rows for cell in row)
+    wrong = report.exhibits.get("overview-f32")
+    assert wrong is not None
+    notes = [
+        [cell.note for cell in row] for row in cut(wrong, Cut(notes=False), set()).rows
+    ]
+    assert notes == [
+        [cell.note * ("under-" in cell.tint) for cell in row] for row in wrong.rows
+    ]
+    assert any(note for row in notes for note in row)
     assert f"<b>{len(table.rows) - len(worth_a_row(report))} rows more" in sheets(
         report
     )

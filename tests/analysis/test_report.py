@@ -19,6 +19,7 @@ from analysis.report import prose
 from analysis.report.page import render, write_page
 from analysis.report.report import Report, build
 from analysis.report.verdicts import advise
+from analysis.report.wording import grouped
 from tests.analysis.conftest import TWO_METHODS
 from tests.analysis.synthetic import Options, write_run
 
@@ -298,6 +299,21 @@ def test_every_method_has_its_failure_in_words_if_there_are_some(
     )
 
 
+def test_without_examples_no_method_that_erred_is_called_without_failure(
+    report: Report,
+) -> None:
+    stored = dataclasses.replace(report.run, worst=report.run.worst.head(0))
+    bare = dataclasses.replace(report, run=stored)
+    words = failure_prose.failures(bare)
+    erring = [entry for entry in words if entry["failing"]]
+    assert 0 < len(erring) < len(words)
+    assert all(entry["example"] is None for entry in words)
+    page = render(bare, "index.html.j2")
+    assert page.count("No failing input in") == len(words) - len(erring)
+    assert page.count("A stored run keeps no examples.") == len(erring)
+    assert "two inputs, those farthest from the boundary" not in page
+
+
 def test_a_warning_stands_beside_its_method(page: Path) -> None:
     text = html.unescape(page.read_text())
     assert "cross_product_fast_math ⚠" in text
@@ -306,7 +322,11 @@ def test_a_warning_stands_beside_its_method(page: Path) -> None:
 
 def test_exact_answers_are_praised_only_if_they_are_exact(report: Report) -> None:
     kept = html.unescape(render(report, "index.html.j2"))
-    assert "none was wrong, which leaves an error rate of at most" in kept
+    assert "none was wrong." in kept
+    table = report.exact_errors
+    points = int(table.groupby("scalar")["points"].max().sum())
+    assert points < int(table["of"].sum())
+    assert f"answers to {grouped(points)} points of up to" in kept
     broken = dataclasses.replace(
         report, exact_errors=report.exact_errors.assign(wrong=1)
     )
