@@ -110,6 +110,15 @@ class Limits:
         ]
         return max(found, default=math.nan)
 
+    def fastest_store(self, level: str) -> float:
+        """Bytes a second that any ISA stores to the level, NaN if not measured."""
+        found = [
+            value
+            for (_, _, row_level, access), value in self._memory.items()
+            if (row_level, access) == (level, "store")
+        ]
+        return max(found, default=math.nan)
+
     def rate(self, isa: str, scalar: str, operation: str) -> float:
         """Operations a second, each lane one; NaN if it was not measured."""
         found = [

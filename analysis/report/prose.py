@@ -39,7 +39,12 @@ from analysis.report.wording import (
     spoken,
     times,
 )
-from analysis.speed.grid_tables import across_edges, fastest_sentence, gain_sentence
+from analysis.speed.grid_tables import (
+    across_edges,
+    fastest_sentence,
+    gain_sentence,
+    grid_bound_facts,
+)
 from analysis.speed.input_exhibits import input_facts
 from analysis.speed.layout_tables import layout_sentence
 from analysis.speed.limit_prose import limit_facts
@@ -77,6 +82,7 @@ def facts(report: Report) -> dict[str, Any]:
         "grid": {
             "fastest": fastest_sentence(report.grid),
             "gain": gain_sentence(across_edges(run.speed, report.cells)),
+            **grid_bound_facts(report.grid),
         },
         "scalar": report.scalar,
         "isa": report.isa,
@@ -102,6 +108,7 @@ def facts(report: Report) -> dict[str, Any]:
         "cpus": report.cpus,
         "isa_up_to": run.isa_up_to,
         "ladder": report.ladder,
+        "traced": bool(len(run.instructions)),
         "peers": peers_facts(report.parted, report.peers),
         **failure_facts(report),
         "limit": limit_facts(run, report.cells, report.scalar, MAIN_LOOP),

@@ -172,7 +172,7 @@ def build(whole: Run, stored: Sequence[Run] = ()) -> Report:
         input=chapter,
         costs=costs,
         cpus=compared,
-        ladder=ladder.add(exhibits, run, cells),
+        ladder=ladder.add(exhibits, run, timed),
         parted=parted,
         peers=beside,
         grid=grid,
@@ -320,7 +320,7 @@ def _add_grid_and_weights(
             "and known to be a grid. × i32 points: how many times as fast as the "
             "edge functions on the points in 32-bit integers, on the same ISA.",
             grid,
-            columns.GRID,
+            limit_exhibits.grid_columns(grid),
         )
     weights = accuracy_tables.weights_accuracy(run.accuracy)
     if len(weights):

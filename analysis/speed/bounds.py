@@ -1,6 +1,7 @@
 """How fast a cell could be at most on this machine, and how near it is.
 
-An item cannot take less time than its bytes need to arrive (memory; a set that is
+An item cannot take less time than its bytes need to arrive, nor than those that it
+writes need to be stored (memory; a set that is
 a little too large for a cache counts as kept there in part), nor than its
 operations need in the units that do them (compute): for each kind of operation, count ÷ rate of that kind; for kinds that may share units, their
 total ÷ the highest rate of any of them and of them together; and for all kinds,
@@ -22,19 +23,21 @@ from typing import Any, Final
 
 import pandas as pd
 
-from analysis.read.cells import SIDE_BY_SIDE, TUV_SUFFIX, WEIGHTS_SUFFIX, WHOLE_ARRAYS
+from analysis.read.cells import SIDE_BY_SIDE, WHOLE_ARRAYS
 from analysis.read.limits import Limits
 from analysis.read.load_operations import KINDS
 from analysis.report.method_families import leaves_early
+from analysis.speed.written import SCALAR_BYTES, STORES, store_ns
 from analysis.trust.noise import TOLERANCE
 
 COLUMNS: Final = [
     "level",  # which bounds how fast the working set is read
-    "memory_ns",
+    "memory_ns",  # of loads or of stores, whichever take longer
+    "store_ns",
     "compute_ns",  # NaN: operations not counted
     "bound_ns",
     "bound_by",  # "memory" or "compute"
-    "bound_of",  # the level, or the kind of operation; "all operations"
+    "bound_of",  # the level, "stores", or the kind of operation; "all operations"
     "of_limit",
     "of_limit_low",
     "of_limit_high",
@@ -59,8 +62,6 @@ TOGETHER: Final = {
 _FLOATS: Final = ("f32", "f64")
 Counts = dict[str, dict[str, Any]]  # of _PER, kind → operations
 _PER: Final = ("item", "call")
-SCALAR_BYTES: Final = {"f32": 4, "f64": 8, "i32": 4, "i16": 2, "u8": 1}
-
 
 # Of a row that no limit speaks of.
 _UNBOUND: Final[dict[str, Any]] = {
@@ -111,17 +112,20 @@ def _bound(
     size = cell.get("scene_bytes", math.nan)
     whole = size if size == size else cell["working_set_bytes"]
     level, rate = limits.reading(cell["isa"], cell["scalar"], whole)
-    memory = memory_ns(cell, limits, rate)
+    load, store = load_ns(cell, rate), store_ns(cell, limits)
+    by_stores = store == store and not store <= load
+    memory = store if by_stores else load
     compute, kind = compute_ns(cell, limits, counts)
     by_compute = compute == compute and not compute < memory
     bound = compute if by_compute else memory
     return {
         "level": level,
         "memory_ns": memory,
+        "store_ns": store,
         "compute_ns": compute,
         "bound_ns": bound,
         "bound_by": "compute" if by_compute else "memory",
-        "bound_of": kind if by_compute else level,
+        "bound_of": kind if by_compute else STORES if by_stores else level,
         "of_limit": bound / cell["ns"],
         "of_limit_low": bound / cell["ns_high"],
         "of_limit_high": bound / cell["ns_low"],
@@ -130,19 +134,9 @@ def _bound(
     }
 
 
-def memory_ns(cell: dict[str, Any], limits: Limits, rate: float) -> float:
-    """The time that an item's bytes take at `rate` bytes a second; the weights, or
-    t, u and v, that some kernels write are stored meanwhile, so the longer of the two
-    counts.
-    """
-    isa, scalar = cell["isa"], cell["scalar"]
-    load: float = 1e9 * cell["bytes_per_item"] / rate
-    if not cell["loop"].endswith((WEIGHTS_SUFFIX, TUV_SUFFIX)):
-        return load
-    nearest = limits.levels[0].name
-    written = 3 * SCALAR_BYTES.get(scalar, 0)
-    store = 1e9 * written / limits.bandwidth(isa, scalar, nearest, "store")
-    return max(load, store) if store == store else load
+def load_ns(cell: dict[str, Any], rate: float) -> float:
+    """The time that an item's bytes take at `rate` bytes a second."""
+    return float(1e9 * cell["bytes_per_item"] / rate)
 
 
 def compute_ns(

@@ -8,7 +8,6 @@ Both are timed in one shard, so that any row may be compared with any other.
 from __future__ import annotations
 
 import math
-import re
 from typing import Any
 
 import numpy as np
@@ -19,6 +18,7 @@ from analysis.charts.palette import is_autovec, isa_rank, method_rank
 from analysis.report import wording
 from analysis.report.wording import listed, significant, with_interval
 from analysis.speed.tables import samples
+from analysis.speed.written import grid_size
 from analysis.trust.stats import ratio_interval
 
 POINTS = "grid_points_80x50"
@@ -30,13 +30,17 @@ ACROSS_EDGES = "edge_lanes"
 
 Samples = npt.NDArray[np.float64]
 
+_BOUND_TIMES = ("memory_ns", "compute_ns", "bound_ns")
+_BOUNDS = (
+    *("bound_by", "bound_of", "beaten"),
+    *("of_limit", "of_limit_low", "of_limit_high"),
+)
 _TRACKS = {POINTS: "points", GRID: "grid"}
 
 
 def pixels(family: str) -> int:
     """Columns times rows, which the name of the scene gives."""
-    columns, rows = re.findall(r"\d+", family)[-2:]
-    return int(columns) * int(rows)
+    return math.prod(grid_size(family))
 
 
 def published_scene(
@@ -66,6 +70,9 @@ def published_scene(
         for end in ("", "_low", "_high"):
             row[f"ns{end}"] = cell[f"ns{end}"] * items
             row[f"pixel_ns{end}"] = row[f"ns{end}"] / pixels(cell["family"])
+        if "bound_ns" in cells:
+            row |= {key: cell[key] for key in _BOUNDS}
+            row |= {key: cell[key] * items for key in _BOUND_TIMES}
         own = by_cell[cell["shard"], cell["name"]] * items
         row |= _times_points(by_cell.get((cell["shard"], _base(cell, chosen))), own)
         rows.append(row)
@@ -154,6 +161,22 @@ def gain_sentence(gains: pd.DataFrame) -> str:
         "wide the instruction set; with points as lanes the same formula on the "
         f"same points is faster: {listed(parts)}."
     )
+
+
+def grid_bound_facts(table: pd.DataFrame) -> dict[str, str]:
+    """`uncounted`: the methods that only memory bounds; `widest` and `narrower`: the
+    widest ISA of written vectors, and the others. Empty where bounds are not known.
+    """
+    if not len(table) or "bound_ns" not in table:
+        return dict.fromkeys(("uncounted", "widest", "narrower"), "")
+    uncounted = table[table["compute_ns"].isna()]["method"].unique()
+    isas = sorted(table["isa"].unique(), key=isa_rank)
+    vectors = [isa for isa in isas if not is_autovec(isa)] or isas
+    return {
+        "uncounted": listed(sorted(uncounted, key=method_rank)),
+        "widest": vectors[-1],
+        "narrower": listed([isa for isa in isas if isa != vectors[-1]]),
+    }
 
 
 def fastest_sentence(table: pd.DataFrame) -> str:

@@ -55,7 +55,8 @@ BOUND: Final = Column(
     lambda row: significant(row["bound_ns"]),
     bound_words,
     "bound_ns",
-    hint="the least time that the machine's limits allow, and the limit that it is",
+    hint="the least time that the machine's limits allow, and the limit that it is; "
+    "memory alone: the operations were not counted",
 )
 OF_LIMIT: Final = Column(
     "% of limit",
@@ -77,7 +78,12 @@ NEAR: Final = (
         "instructions a cycle",
         "that the compiled loop executes, of any kind; a dash: it was not traced",
     ),
-    number("memory_ns", "memory, ns", "bytes over the level's bandwidth"),
+    number(
+        "memory_ns",
+        "memory, ns",
+        "bytes read over the level's bandwidth, or bytes written over that of stores: "
+        "the longer of the two",
+    ),
     number("compute_ns", "compute, ns", "a dash: operations not counted"),
     word("isa", "ISA"),
     word("scene", "scene"),

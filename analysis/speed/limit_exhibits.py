@@ -77,6 +77,13 @@ def cells_columns(cells: pd.DataFrame) -> tuple[Column, ...]:
     return (*columns.CELLS, limit_columns.BOUND, limit_columns.OF_LIMIT)
 
 
+def grid_columns(table: pd.DataFrame) -> tuple[Column, ...]:
+    if "bound_ns" not in table:
+        return columns.GRID
+    last = columns.GRID[-1:]
+    return (*columns.GRID[:-1], limit_columns.BOUND, limit_columns.OF_LIMIT, *last)
+
+
 def verdict_columns(table: pd.DataFrame) -> tuple[Column, ...]:
     if "of_limit" not in table:
         return columns.VERDICTS

@@ -10,11 +10,17 @@ import pytest
 
 from analysis.rays.rays_costs import add_ray_costs, bounded, near_the_limit
 from analysis.read.limits import Limits
-from analysis.read.load_operations import KINDS, OPERATIONS_COLUMNS
+from analysis.read.load_operations import (
+    KINDS,
+    OPERATIONS_COLUMNS,
+    no_operations,
+)
 from analysis.read.run import Run, no_rays
 from analysis.report.exhibits import Exhibits
 from analysis.report.method_families import leaves_early
-from analysis.speed.bounds import memory_ns
+from analysis.speed.bounds import with_bounds
+from analysis.speed.tables import speed_cells
+from analysis.speed.written import STORES
 from tests.analysis.test_bounds import machine  # noqa: F401
 from tests.analysis.test_costs import folder, run  # noqa: F401
 from tests.analysis.test_input_tables import frame
@@ -88,14 +94,18 @@ def test_the_table_has_the_reference_scene_alone(measured: Run) -> None:
 def test_t_u_and_v_have_to_be_stored(
     measured: Run, machine: Limits
 ) -> None:  # noqa: F811
-    cell = bounded(measured).iloc[0].to_dict() | {"bytes_per_item": 1.0}
-    level = machine.levels[0].name
-    loaded = machine.bandwidth(cell["isa"], "f32", level)
-    alone = memory_ns(cell, machine, loaded)
-    written = memory_ns(cell | {"loop": "one_triangle_rays_tuv"}, machine, loaded)
-    stored = machine.bandwidth(cell["isa"], "f32", level, "store")
-    assert written == pytest.approx(max(alone, 1e9 * 12 / stored))
-    assert written > alone
+    cells = speed_cells(measured.rays.speed).iloc[:1].assign(bytes_per_item=1.0)
+    isa, level = cells["isa"].iloc[0], machine.levels[0].name
+    loops = ("one_triangle_rays", "one_triangle_rays_tuv")
+    alone, written = (
+        with_bounds(cells.assign(loop=loop), machine, no_operations()).iloc[0]
+        for loop in loops
+    )
+    assert alone["memory_ns"] == 1e9 / machine.bandwidth(isa, "f32", level)
+    stored = machine.bandwidth(isa, "f32", level, "store")
+    assert written["memory_ns"] == pytest.approx(1e9 * 12 / stored, rel=0.02)
+    assert written["memory_ns"] > 1e9 * 12 / stored  # its bit as well
+    assert written["bound_of"] == STORES
 
 
 def test_both_tables_are_shown_and_without_rays_none(measured: Run) -> None:
