@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import pandas as pd
 
+from analysis.accuracy.accuracy_tables import errors_along
 from analysis.accuracy.cost_curve import worst_words
 from analysis.accuracy.exact_tables import worst_ratios
 from analysis.accuracy.failures import (
@@ -17,6 +18,7 @@ from analysis.accuracy.failures import (
     told_apart_nowhere,
 )
 from analysis.accuracy.flags_axis import MESH
+from analysis.accuracy.hardness import hardness_of
 from analysis.accuracy.overview import KEYS, failing_most, never_failing
 from analysis.charts import palette, ramp
 from analysis.report.method_families import in_order
@@ -30,7 +32,14 @@ from analysis.report.wording import (
     short_share,
     significant,
 )
+from analysis.speed.tables import widest_isa
 
+# Right by their arithmetic for as long as no difference of coordinates rounds.
+EXACT_BY_DIFFERENCES: Final = (
+    "cross_product_kahan",
+    "promoted_f64_kahan",
+    "double_double",
+)
 METHODS_TEXT = Path(__file__).resolve().parents[2] / "report" / "methods.toml"
 
 
@@ -43,6 +52,7 @@ def failure_facts(report: Report) -> dict[str, Any]:
         "failures": failures(report),
         "examples_kept": bool(len(report.run.worst)),
         "exact": exact_words(report),
+        "recipes": recipe_words(report),
         "mapped": [
             scalar for scalar in ("f32", "f64") if report.exhibits.get(f"ulps-{scalar}")
         ],
@@ -153,6 +163,33 @@ def failing_words(counts: dict[str, int]) -> str:
 
 def _alike_words(base: str, cells: int) -> dict[str, str]:
     return {"base": base, "cells": counted(cells, "cell")}
+
+
+def recipe_words(report: Report) -> dict[str, Any] | None:
+    """Which of EXACT_BY_DIFFERENCES err where exponents spread, and from where."""
+    hardness = hardness_of("exponent_spread")
+    accuracy = report.run.accuracy
+    if not len(accuracy):
+        return None
+    along = errors_along(
+        accuracy,
+        hardness.family,
+        hardness.key,
+        report.scalar,
+        str(widest_isa(accuracy)),
+    )
+    known = [m for m in EXACT_BY_DIFFERENCES if m in set(along["method"])]
+    first = along[along["error_rate"] > 0].groupby("method")["at"].min()
+    if not known:
+        return None
+    return {
+        "all": listed(known),
+        "erring": listed(
+            [f"{m} from {hardness.words(first[m])} on" for m in known if m in first]
+        ),
+        "sound": listed([m for m in known if m not in first]),
+        "sound_count": sum(m not in first for m in known),
+    }
 
 
 def _distance(ulps: float) -> str:

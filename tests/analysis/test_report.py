@@ -314,6 +314,27 @@ def test_without_examples_no_method_that_erred_is_called_without_failure(
     assert "two inputs, those farthest from the boundary" not in page
 
 
+@pytest.mark.parametrize("method", failure_prose.EXACT_BY_DIFFERENCES)
+def test_a_recipe_ends_where_exponents_spread_only_if_it_errs_there(
+    report: Report, method: str
+) -> None:
+    accuracy = report.run.accuracy
+    own = (accuracy["family"] == "exponent_spread") & (accuracy["method"] == method)
+    assert own.any()
+    counts = ["false_inside", "false_outside"]
+    run = dataclasses.replace(report.run, accuracy=accuracy.copy())
+    run.accuracy.loc[own, counts] = 0
+    said = failure_prose.recipe_words(dataclasses.replace(report, run=run))
+    assert said is not None
+    assert method in said["sound"] and method not in said["erring"]
+    far = own & (accuracy["scene"] == "exponent_spread:binades=28")
+    run.accuracy.loc[far, counts] = [5, 1]
+    said = failure_prose.recipe_words(dataclasses.replace(report, run=run))
+    assert said is not None
+    assert f"{method} from 28 binades on" in said["erring"]
+    assert method not in said["sound"]
+
+
 def test_a_warning_stands_beside_its_method(page: Path) -> None:
     text = html.unescape(page.read_text())
     assert "cross_product_fast_math ⚠" in text
