@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import Any, Final
 
+import numpy as np
+import numpy.typing as npt
 import pandas as pd
 
 from analysis.report.columns import number, whole, with_interval, word
@@ -17,10 +19,11 @@ from analysis.report.wording import with_interval as ratio_words
 from analysis.speed.break_even import WHOLE_VECTOR
 from analysis.speed.input_tables import by_size
 from analysis.speed.tables import samples, widest_isa
-from analysis.trust.stats import CONFIDENCE, ratio_interval
+from analysis.trust.stats import CONFIDENCE, Interval, ratio_interval
 
 KEY: Final = "longer_calls"
 MOST_ROWS: Final = 30
+_LONGER: Final = ("longer", "longer_low", "longer_high")
 COLUMNS: Final = (
     word("method", "method"),
     word("scalar", "scalar"),
@@ -48,22 +51,12 @@ def longer_calls(speed: pd.DataFrame, cells: pd.DataFrame) -> pd.DataFrame:
         isa = widest_isa(group)
         for method, own in group[group["isa"] == isa].groupby("method", sort=False):
             calls = own.sort_values("n").to_dict("records")
+            times = [call["n"] * by_cell[shard, call["name"]] for call in calls]
             for index, call in enumerate(calls[:-1]):
-                larger = calls[index + 1 :]
-                joint = 1 - (1 - CONFIDENCE) / len(larger)
-                ratios = []
-                for more in larger:
-                    each = ratio_interval(
-                        by_cell[shard, call["name"]],
-                        by_cell[shard, more["name"]],
-                        joint,
-                    )
-                    scale = call["n"] / more["n"]
-                    ratios.append([scale * end for end in each[:3]])
-                surest = max(range(len(larger)), key=lambda at: ratios[at][1])
-                value, low, high = ratios[surest]
-                if not low > 1:
+                longer = _surest(times[index], times[index + 1 :])
+                if longer is None:
                     continue
+                more = calls[index + 1 + longer[0]]
                 found.append(
                     {
                         "method": method,
@@ -71,17 +64,26 @@ def longer_calls(speed: pd.DataFrame, cells: pd.DataFrame) -> pd.DataFrame:
                         "isa": isa,
                         "n": call["n"],
                         "call_ns": call["ns"] * call["n"],
-                        "more_n": larger[surest]["n"],
-                        "more_ns": larger[surest]["ns"] * larger[surest]["n"],
-                        "longer": value,
-                        "longer_low": low,
-                        "longer_high": high,
+                        "more_n": more["n"],
+                        "more_ns": more["ns"] * more["n"],
+                        **dict(zip(_LONGER, longer[1])),
                     }
                 )
     columns = ["method", "scalar", "isa", "n", "call_ns", "more_n", "more_ns"]
-    ends = ["longer", "longer_low", "longer_high"]
-    table = pd.DataFrame(found, columns=[*columns, *ends])
+    table = pd.DataFrame(found, columns=[*columns, *_LONGER])
     return table.sort_values("n", ascending=False, kind="stable", ignore_index=True)
+
+
+def _surest(
+    call: npt.NDArray[np.float64], others: list[npt.NDArray[np.float64]]
+) -> tuple[int, Interval] | None:
+    """Which of the others the call surely takes longer than, and how many times as
+    long; of several the one whose interval begins highest.
+    """
+    joint = 1 - (1 - CONFIDENCE) / len(others)
+    ratios = [ratio_interval(call, other, joint) for other in others]
+    best = max(range(len(ratios)), key=lambda at: ratios[at].low)
+    return (best, ratios[best]) if ratios[best].low > 1 else None
 
 
 def add_longer_calls(exhibits: Exhibits, table: pd.DataFrame) -> None:
