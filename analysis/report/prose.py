@@ -39,6 +39,7 @@ from analysis.report.wording import (
     spoken,
     times,
 )
+from analysis.speed.goals import goal_facts
 from analysis.speed.grid_tables import (
     across_edges,
     fastest_sentence,
@@ -108,6 +109,7 @@ def facts(report: Report) -> dict[str, Any]:
         "cpus": report.cpus,
         "isa_up_to": run.isa_up_to,
         "ladder": report.ladder,
+        "goals": goal_facts(report.goals),
         "traced": bool(len(run.instructions)),
         "peers": peers_facts(report.parted, report.peers),
         **failure_facts(report),
