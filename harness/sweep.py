@@ -51,6 +51,7 @@ from run_folder import (
     result,
     run_name,
 )
+from sweep_times import SweepTimes
 from time_left import time_left
 
 STDERR_LINES = 12
@@ -80,6 +81,7 @@ class Sweep:
         self.failed: list[str] = []
         self.seconds: dict[Shard, float] = {}
         self.children: list[Child] = []
+        self.times = SweepTimes(out)
         self.console = Console(soft_wrap=True, highlight=False)
         # No refresh thread: nothing may wake up beside a timing shard but the
         # one tick a second of run().
@@ -125,6 +127,7 @@ class Sweep:
         set_aside = file.with_name(file.name + ".failed")
         if code == 0 and is_done(self.out, shard):
             self.seconds[shard] = seconds
+            self.times.add(shard.name, seconds)
             self.bar.advance(self.task)
             set_aside.unlink(missing_ok=True)
             count = self.before + len(self.seconds)
@@ -230,6 +233,8 @@ def sweep(options: argparse.Namespace, out: Path) -> int:
                 stack.enter_context(work.bar)
             work.run(True, 1, locks)
             work.run(False, jobs, locks)
+            if work.seconds or work.failed:
+                work.times.add()
         except BaseException:
             for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
                 signal.signal(number, signal.SIG_IGN)

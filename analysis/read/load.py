@@ -31,6 +31,7 @@ from analysis.read.run import (
     MethodEntry,
     Run,
     Shard,
+    SweepTimes,
 )
 
 __all__ = ["LoadError", "load_run"]
@@ -114,6 +115,7 @@ def load_run(folder: Path) -> Run:
         writes=writes,
         rays=of_rays,
         isa_up_to=isa_limit(folder),
+        times=sweep_times(folder),
     )
 
 
@@ -121,6 +123,20 @@ def isa_limit(folder: Path) -> str:
     """The widest ISA that the sweep was told to hold, empty if it was not."""
     path = folder / "sweep.json"
     return str(read_json(path, "sweep").get("isa_up_to", "")) if path.exists() else ""
+
+
+def sweep_times(folder: Path) -> SweepTimes | None:
+    """How long the sweep took, if it told."""
+    path = folder / "times.json"
+    if not path.exists():
+        return None
+    document = read_json(path, "times")
+    shards = [(name, float(taken)) for name, taken in document["shards"].items()]
+    return SweepTimes(
+        seconds=float(document["seconds"]),
+        starts=int(document["starts"]),
+        shards=tuple(sorted(shards, key=lambda shard: (-shard[1], shard[0]))),
+    )
 
 
 def shard_of(name: str, context: dict[str, Any]) -> Shard:

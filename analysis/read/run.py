@@ -148,6 +148,15 @@ class Shard:
 
 
 @dataclasses.dataclass(frozen=True)
+class SweepTimes:
+    """How long measuring took (times.json)."""
+
+    seconds: float  # of all starts together
+    starts: int
+    shards: tuple[tuple[str, float], ...]  # (name, seconds), longest first
+
+
+@dataclasses.dataclass(frozen=True)
 class MethodEntry:
     """What a method declares of itself (methods.json)."""
 
@@ -243,6 +252,7 @@ class Run:
     writes: tuple[tuple[str, str], ...] = ()  # (loop, what its kernels write)
     rays: RayRun = dataclasses.field(default_factory=no_rays)
     isa_up_to: str = ""  # the widest ISA of the rows, where the sweep had a limit
+    times: SweepTimes | None = None  # older runs have none
     label: str = ""  # what a stored run was called, if it was given a name
 
     @property

@@ -1,9 +1,13 @@
-"""The machine and the build, as rows of names and values."""
+"""The machine and the build, as rows of names and values, and how long measuring took."""
 
 from __future__ import annotations
 
-from analysis.read.run import Machine
-from analysis.report.wording import listed, size_in_bytes
+from typing import Any
+
+from analysis.read.run import Machine, SweepTimes
+from analysis.report.wording import counted, duration, listed, size_in_bytes
+
+_TIMED = ("speed", "limits")  # what the names of shards that run alone begin with
 
 
 def machine_rows(machine: Machine) -> list[tuple[str, str]]:
@@ -36,3 +40,20 @@ def machine_rows(machine: Machine) -> list[tuple[str, str]]:
         ("Revision", machine.revision + (", with changes" if machine.dirty else "")),
         ("Seed", str(machine.seed)),
     ]
+
+
+def times_facts(times: SweepTimes | None) -> dict[str, Any] | None:
+    """How long the sweep took, in phrases; None where the run does not tell."""
+    if times is None:
+        return None
+    alone = sum(taken for name, taken in times.shards if name.startswith(_TIMED))
+    longest = times.shards[0] if times.shards else None
+    return {
+        "total": duration(times.seconds),
+        "starts": times.starts,
+        "starts_words": counted(times.starts, "start"),
+        "shards": counted(len(times.shards), "shard"),
+        "alone": duration(alone),
+        "longest": longest and longest[0],
+        "longest_took": longest and duration(longest[1]),
+    }

@@ -24,7 +24,7 @@ from analysis.read.cells import parse_scene
 from analysis.report import columns
 from analysis.report.exhibits import Column
 from analysis.report.findings import findings
-from analysis.report.machine_prose import machine_rows
+from analysis.report.machine_prose import machine_rows, times_facts
 from analysis.report.report import MAIN_LOOP, Report, short_revision
 from analysis.report.verdicts import NOTICED, WHOLE
 from analysis.report.wording import (
@@ -39,6 +39,7 @@ from analysis.report.wording import (
     spoken,
     times,
 )
+from analysis.speed.goals import goal_facts
 from analysis.speed.grid_tables import (
     across_edges,
     fastest_sentence,
@@ -64,6 +65,7 @@ def facts(report: Report) -> dict[str, Any]:
         "dirty": machine.dirty,
         "machine": machine,
         "machine_rows": machine_rows(machine),
+        "times": times_facts(run.times),
         "cells": counted(len(report.timed), "cell"),
         "judged": counted(len(run.accuracy), "cell"),
         "points_judged": counted(int(run.accuracy["points"].sum()), "answer"),
@@ -108,6 +110,7 @@ def facts(report: Report) -> dict[str, Any]:
         "cpus": report.cpus,
         "isa_up_to": run.isa_up_to,
         "ladder": report.ladder,
+        "goals": goal_facts(report.goals),
         "traced": bool(len(run.instructions)),
         "peers": peers_facts(report.parted, report.peers),
         **failure_facts(report),

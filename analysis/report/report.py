@@ -33,7 +33,14 @@ from analysis.report import columns
 from analysis.report.exhibits import Exhibits
 from analysis.report.verdicts import Advice, advise, unfit, verdicts
 from analysis.report.wording import counted, grouped, listed
-from analysis.speed import cost_exhibits, grid_tables, ladder, limit_exhibits, tables
+from analysis.speed import (
+    cost_exhibits,
+    goals,
+    grid_tables,
+    ladder,
+    limit_exhibits,
+    tables,
+)
 from analysis.speed.bounds import with_bounds
 from analysis.speed.charts import fixed_against_fresh, loops, scaling
 from analysis.speed.input_exhibits import InputChapter, add_input, input_chapter
@@ -75,6 +82,7 @@ class Report:
     costs: cost_exhibits.Costs
     cpus: cpus_exhibits.Cpus
     ladder: ladder.Ladder
+    goals: goals.Goals
     parted: Parted
     peers: pd.DataFrame  # of the table of other libraries
     grid: pd.DataFrame  # the published scene
@@ -173,6 +181,12 @@ def build(whole: Run, stored: Sequence[Run] = ()) -> Report:
         costs=costs,
         cpus=compared,
         ladder=ladder.add(exhibits, run, timed),
+        goals=goals.add(
+            exhibits,
+            run,
+            timed,
+            {s: unfit(run.accuracy, run.methods, s) for s in scalars},
+        ),
         parted=parted,
         peers=beside,
         grid=grid,

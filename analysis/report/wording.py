@@ -41,6 +41,13 @@ def nanoseconds(value: float) -> str:
     return f"{significant(value)}{JOIN}ns"
 
 
+def duration(seconds: float) -> str:
+    """In seconds up to ten minutes, in minutes above."""
+    if seconds <= 600:
+        return f"{significant(seconds)}{JOIN}s"
+    return f"{significant(seconds / 60)}{JOIN}min"
+
+
 def rate_of_items(per_second: float) -> str:
     """12.3e9 → 12.3 G/s."""
     for unit, size in (("G", 1e9), ("M", 1e6), ("k", 1e3)):

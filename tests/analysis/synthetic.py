@@ -119,7 +119,19 @@ def documents(options: Options = Options()) -> dict[str, Any]:
     if not options.operations_json:
         del files["operations.json"]
     files["sweep.json"] = sweep(options, files)
+    files["times.json"] = times(files)
     return files
+
+
+def times(files: dict[str, Any]) -> dict[str, Any]:
+    """Two seconds a shard, measured in two starts, and half a minute of waiting."""
+    shards = {name: 2.0 for name in files["sweep.json"]["shards"]}
+    return {
+        "schema": "pitbench-times-1",
+        "starts": 2,
+        "seconds": 30.0 + 2.0 * len(shards),
+        "shards": shards,
+    }
 
 
 def sweep(options: Options, files: dict[str, Any]) -> dict[str, Any]:

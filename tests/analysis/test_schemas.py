@@ -21,6 +21,7 @@ NAMES = ["machine", "speed", "accuracy", "methods", "maps", "limits"] + [
     "operations",
     "instructions",
     "sweep",
+    "times",
     "stored",
 ]
 
