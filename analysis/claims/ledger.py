@@ -87,7 +87,8 @@ def add_ledger(exhibits: Exhibits, table: pd.DataFrame) -> None:
     exhibits.table(
         "ledger",
         "Published claims, each with what this run says of it. Intervals are those of "
-        "95 %; every verdict is computed.",
+        "95 %, but behind the number from which on something pays stand the timed "
+        "numbers that it lies between. Every verdict is computed.",
         table,
         COLUMNS,
     )

@@ -111,9 +111,9 @@ def longer_words(table: pd.DataFrame) -> str:
         f"surely {'takes' if one else 'take'} longer than a larger one, counted for each "
         "method and scalar."
     )
-    filled = table[table["n"] >= WHOLE_VECTOR]
+    filled = table[table["n"] % WHOLE_VECTOR == 0]
     if not len(filled):
-        return f"{words} None of them fills a vector of {WHOLE_VECTOR}."
+        return f"{words} None of them fills vectors of {WHOLE_VECTOR}."
     worst = filled.loc[
         filled.groupby(["method", "scalar"], sort=False)["longer"].idxmax()
     ]
@@ -125,8 +125,8 @@ def longer_words(table: pd.DataFrame) -> str:
         for row in worst.to_dict("records")
     ]
     return (
-        f"{words} Of {WHOLE_VECTOR} points or more {len(filled)} "
-        f"{'is' if len(filled) == 1 else 'are'}: {listed(parts)}. "
-        "Copying does not explain these, and why they take so long these times do not "
+        f"{words} Of these {len(filled)} {'fills' if len(filled) == 1 else 'fill'} "
+        f"vectors of {WHOLE_VECTOR}: {listed(parts)}. "
+        "Copying does not explain that, and why they take so long these times do not "
         "tell."
     )

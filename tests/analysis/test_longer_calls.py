@@ -11,7 +11,7 @@ from tests.analysis.test_tables import name
 
 # ns a call by its points. The dip of `exact` is at 128; one lane never dips.
 CALLS = {
-    ("exact", "avx2"): {1: 31.0, 16: 28.0, 64: 39.0, 128: 23.5, 256: 60.0},
+    ("exact", "avx2"): {1: 31.0, 16: 28.0, 24: 45.0, 64: 39.0, 128: 23.5, 256: 60.0},
     ("cross_product", "avx2"): {1: 17.0, 16: 5.5, 64: 8.0, 128: 12.0, 256: 20.0},
     # Apart by less than the repetitions are.
     ("edge_function", "avx2"): {1: 6.0, 16: 6.5, 64: 8.01, 128: 8.0, 256: 20.0},
@@ -39,6 +39,7 @@ def test_every_method_at_the_widest_instruction_set_is_looked_at() -> None:
     rows = {(r["method"], r["n"]): r["more_n"] for r in table.to_dict("records")}
     assert rows == {
         ("exact", 64): 128,
+        ("exact", 24): 128,
         ("exact", 16): 128,
         ("exact", 1): 128,
         ("cross_product", 1): 16,
@@ -52,11 +53,11 @@ def test_every_method_at_the_widest_instruction_set_is_looked_at() -> None:
 
 def test_the_words_name_what_fills_a_vector() -> None:
     words = said(CALLS)
-    assert "4 timed numbers of points surely take longer than a larger one" in words
-    assert "Of 16 points or more 2 are: exact (f32, avx2)" in words
+    assert "5 timed numbers of points surely take longer than a larger one" in words
+    assert "Of these 2 fill vectors of 16: exact (f32, avx2)" in words
     assert "64 points take 39.0 ns and 128 take 23.5 ns, a ratio of 1.66 (" in words
     tails = {key: own for key, own in CALLS.items() if key[0] == "cross_product"}
-    assert said(tails).endswith("None of them fills a vector of 16.")
+    assert said(tails).endswith("None of them fills vectors of 16.")
     assert "1 timed number of points surely takes longer" in said(tails)
 
 
