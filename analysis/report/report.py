@@ -367,6 +367,7 @@ def _add_whole_tables(exhibits: Exhibits, run: Run, cells: pd.DataFrame) -> None
             "The CSV has all."
         )
     shown_columns = limit_exhibits.cells_columns(shown)
+    caption += limit_exhibits.understated(shown)
     exhibits.table("cells", caption, shown, shown_columns, csv=cells)
     judged = accuracy_tables.accuracy_cells(run.accuracy)
     exhibits.table(

@@ -17,6 +17,7 @@ import pandas as pd
 from analysis.charts.palette import is_autovec, isa_rank, method_rank
 from analysis.report import wording
 from analysis.report.wording import listed, significant, with_interval
+from analysis.speed.bounds import COUNTED_FOR
 from analysis.speed.tables import samples
 from analysis.speed.written import grid_size
 from analysis.trust.stats import ratio_interval
@@ -164,18 +165,16 @@ def gain_sentence(gains: pd.DataFrame) -> str:
 
 
 def grid_bound_facts(table: pd.DataFrame) -> dict[str, str]:
-    """`uncounted`: the methods that only memory bounds; `widest` and `narrower`: the
-    widest ISA of written vectors, and the others. Empty where bounds are not known.
+    """`uncounted`: the methods that only memory bounds; `understated`: the ISAs on
+    which a bound is too low (bounds.COUNTED_FOR). Empty where bounds are not known.
     """
     if not len(table) or "bound_ns" not in table:
-        return dict.fromkeys(("uncounted", "widest", "narrower"), "")
+        return dict.fromkeys(("uncounted", "understated"), "")
     uncounted = table[table["compute_ns"].isna()]["method"].unique()
     isas = sorted(table["isa"].unique(), key=isa_rank)
-    vectors = [isa for isa in isas if not is_autovec(isa)] or isas
     return {
         "uncounted": listed(sorted(uncounted, key=method_rank)),
-        "widest": vectors[-1],
-        "narrower": listed([isa for isa in isas if isa != vectors[-1]]),
+        "understated": listed([isa for isa in isas if isa not in COUNTED_FOR]),
     }
 
 

@@ -8,6 +8,7 @@ from analysis.read.run import Run
 from analysis.report import columns
 from analysis.report.exhibits import Column, Exhibits
 from analysis.speed import limit_columns, limit_tables
+from analysis.speed.bounds import COUNTED_FOR
 from analysis.speed.roofline import marks, roofline
 
 
@@ -75,6 +76,16 @@ def cells_columns(cells: pd.DataFrame) -> tuple[Column, ...]:
     if "bound_ns" not in cells:
         return columns.CELLS
     return (*columns.CELLS, limit_columns.BOUND, limit_columns.OF_LIMIT)
+
+
+def understated(cells: pd.DataFrame) -> str:
+    """What a caption says of rows whose bound is too low; empty if there are none."""
+    if "bound_ns" not in cells or set(cells["isa"]) <= set(COUNTED_FOR):
+        return ""
+    return (
+        " On other instruction sets than AVX-512, whose operations were counted, the "
+        "share of the limit is understated."
+    )
 
 
 def grid_columns(table: pd.DataFrame) -> tuple[Column, ...]:

@@ -9,17 +9,17 @@ import pandas as pd
 from analysis.read.run import Run
 from analysis.report.wording import counted, listed, nanoseconds, significant
 from analysis.speed import limit_columns, limit_tables
-from analysis.speed.bounds import ALL, beaten
+from analysis.speed.bounds import ALL, COUNTED_FOR, beaten
 from analysis.speed.tables import reference_cells, widest_isa
 from analysis.speed.written import STORES
 from analysis.trust.noise import TOLERANCE
 
-# Why a bound is too low on all ISAs but the one whose instructions are counted.
-NARROWER: Final = (
+# Why a bound is too low on ISAs but those that operations are counted for.
+UNDERSTATED: Final = (
     "operations are counted once, as AVX-512 has them, where a comparison that keeps "
-    "or spoils a value, or one under a mask, is one operation. Narrower sets need more "
-    "for the same, which is not counted. Bits are taken to be stored at the rate of "
-    "the widest set, since the C library clears and copies with it."
+    "or spoils a value, or one under a mask, is one operation. Other sets need more "
+    "for the same, which is not counted. And bits are taken to be stored at the rate "
+    "of the widest set that runs here, since the C library clears and copies with it."
 )
 
 
@@ -83,7 +83,8 @@ def limit_facts(
         "beaten_methods": listed(sorted(set(wrong["method"]))),
         "fastest": _reached(rows, rows["ns"].idxmin()) if len(rows) else None,
         "nearest": _nearest(rows),
-        "narrower": NARROWER,
+        "counted_for_it": isa in COUNTED_FOR,
+        "understated": UNDERSTATED,
         "at_once": _number(limit_tables.most_at_once(run.shards)),
         "loop": loop,
     }

@@ -173,7 +173,7 @@ def test_the_page_counts_the_goals_and_shows_them(run: Run) -> None:
     report = build(run)
     page = render(report, "index.html.j2")
     counts = report.goals.counts()
-    assert f"{counts['reached']} " in page and 'id="goals"' in page
+    assert f"{counts['reached']} " in page and 'id="goals-section"' in page
     assert "Left out, since this run did not time" in page
     assert report.exhibits.get(goals.KEY) is not None
 
