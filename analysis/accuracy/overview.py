@@ -26,6 +26,7 @@ HARD_FAMILIES = (
     ("offset", "far away"),
     ("scale", "tiny or huge"),
     ("exponent_spread", "exponents spread"),
+    ("cancellation", "products cancel"),
 )
 # Classes of failure pooled over all scenes that have them: key, title, classes.
 POOLED_CLASSES = (
