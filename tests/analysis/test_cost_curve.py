@@ -15,6 +15,8 @@ from analysis.accuracy.cost_curve import (
     worst_scenes,
     worst_words,
 )
+from analysis.accuracy.failure_exhibits import add_exact
+from analysis.report.exhibits import Exhibits
 from analysis.speed.tables import speed_cells
 from tests.analysis.test_tables import FRESH, name, speed_frame
 
@@ -126,6 +128,22 @@ def test_the_worst_scenes_are_those_without_a_point_inside_longest_first() -> No
 def test_the_chart_has_no_scene_without_a_share() -> None:
     chart = curve_chart(curve(frame(BOUNDARY)), "footer")
     assert "90" not in chart.alt.replace("\u00a0", " ") and "nan" not in chart.alt
+
+
+def captions(speed: pd.DataFrame) -> dict[str, str]:
+    exhibits = Exhibits()
+    add_exact(exhibits, pd.DataFrame(), pd.DataFrame(), curve(speed), "footer")
+    return {exhibit.key: exhibit.caption for exhibit in exhibits}
+
+
+def test_the_captions_say_where_the_points_are() -> None:
+    found = captions(frame(BOUNDARY))
+    assert "exactly on an edge" in found["cost_curve"]
+    assert "every point is on the boundary" in found["exact_worst"]
+    old = {at.replace("on_edge", "edge_share"): t for at, t in TIMES.items()}
+    found = captions(frame(old))
+    assert "rounded onto an edge" in found["cost_curve"]
+    assert "exact_worst" not in found
 
 
 def test_points_that_were_rounded_onto_an_edge_are_not_said_to_be_on_it() -> None:
