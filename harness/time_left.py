@@ -16,7 +16,7 @@ USUAL = (
     ("speed-(one_point|pairs)-", 150.0),
     ("speed-", 15.0),
     ("accuracy-mesh-", 120.0),
-    ("accuracy-(near_edge|needle|offset|scale|exponent_spread)-", 60.0),
+    ("accuracy-(near_edge|needle|offset|scale|exponent_spread|cancellation)-", 60.0),
     ("accuracy-special-", 35.0),
     ("accuracy-rays_(near_edge|near_vertex|special)-", 24.0),
     ("accuracy-(rays_)?(uniform|grid|corpus|icosphere|tiled)", 2.5),

@@ -317,6 +317,22 @@ verifies_rays() {
     grep -q 'plane_gram on .* which is ' "$work/errors"
 }
 check 'verify finds exact rays right and says of which ray another is wrong' verifies_rays
+keeps_a_verification() {
+  "$pitbench" verify --method exact --scalar f32 --points 2000 --out "$work/verify.json" || return
+  "$python" - "$work/verify.json" <<'END'
+import sys
+from pathlib import Path
+
+from analysis.read.read_json import read_json
+
+found = read_json(Path(sys.argv[1]), "verify")
+assert found["points"] >= 2000 and found["wrong"] == 0, found
+assert found["boundary_points"] > 0 and found["first_wrong"] is None, found
+END
+}
+check 'verify keeps its result in a file that fits its schema' keeps_a_verification
+check 'verify refuses to write to a folder' refused 'bad' \
+  verify --method exact --points 1 --out "$bad"
 check 'hunt refuses to hunt for no time' refused 'seconds' \
   hunt --method uv_projection --seconds 0
 check 'hunt refuses a time that is no number' refused 'seconds' \

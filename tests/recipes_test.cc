@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/measure/answers.h"
+#include "harness/scenes/generate.h"
 #include "harness/scenes/random.h"
 #include "harness/truth/expected.h"
 #include "harness/truth/truth.h"
@@ -273,6 +275,48 @@ TEST(PromotedTest, KahanIsRightWhereExponentsSpreadOver28Binades) {
                      [](Random& r) { return OnGrid<float>(r, 51); });
   ExpectRight<float>("promoted_f64_kahan",
                      [](Random& r) { return Spread<float>(r, -14, 14); });
+}
+
+struct Wrongs {
+  std::size_t inside = 0;
+  std::size_t outside = 0;
+  bool operator==(const Wrongs&) const = default;
+};
+
+// What each kernel of the method gets wrong of the scene, which is the same.
+Wrongs WrongsOn(const std::string& scene_name, std::string_view method) {
+  const Scene<float> scene =
+      MakeScene<float>(ParseScene(scene_name), Loop::kPairs,
+                       {.groups = 40, .size = 67}, kDefaultSeed);
+  const SceneTruth truth = JudgeScene(scene);
+  std::vector<Wrongs> found;
+  for (const Kernel* kernel : PairsOf<float>(method)) {
+    Wrongs& wrongs = found.emplace_back();
+    for (const Wrong& wrong : Ask(*kernel, scene, truth).wrong) {
+      ++(wrong.said_inside ? wrongs.inside : wrongs.outside);
+    }
+    EXPECT_EQ(wrongs, found.front()) << NameOf(*kernel);
+  }
+  return found.empty() ? Wrongs{} : found.front();
+}
+
+TEST(PromotedTest, FormsDifferWhereProductsCancelAndDifferencesRound) {
+  if (PairsOf<float>("promoted_f64_fma").empty()) {
+    GTEST_SKIP() << "no ISA with FMA runs here";
+  }
+  const std::vector<std::string_view> methods = {
+      "promoted_f64", "promoted_f64_fma", "promoted_f64_kahan"};
+  for (const std::string_view method : methods) {
+    EXPECT_EQ(WrongsOn("cancellation:binades=28", method), Wrongs{}) << method;
+  }
+  std::vector<Wrongs> beyond;
+  for (const std::string_view method : methods) {
+    beyond.push_back(WrongsOn("cancellation:binades=30", method));
+    EXPECT_GT(beyond.back().inside, 0u) << method;
+  }
+  EXPECT_NE(beyond[0], beyond[1]);
+  EXPECT_NE(beyond[0], beyond[2]);
+  EXPECT_NE(beyond[1], beyond[2]);
 }
 
 TEST(EpsilonTest, IsRightOnWholeNumbers) {

@@ -133,6 +133,95 @@ TYPED_TEST(ScenesHardTest, ExponentsSpreadOverThatManyBinades) {
   }
 }
 
+// What share of a scene's points is on the boundary.
+template <class T>
+double BoundaryShare(const std::string& name, Loop loop) {
+  const SceneTruth truth = JudgeScene(Make<T>(name, loop));
+  return static_cast<double>(truth.boundary) /
+         static_cast<double>(kSize.groups * kSize.size);
+}
+
+TYPED_TEST(ScenesHardTest, HalfOfThePointsAtDistance0AreOnTheEdgeExactly) {
+  constexpr std::size_t kAll = kSize.groups * kSize.size;
+  for (const Loop loop : kLoops) {
+    const SceneTruth truth =
+        JudgeScene(Make<TypeParam>("near_edge:ulps=0", loop));
+    EXPECT_GT(truth.boundary, kAll / 4) << Name(loop);
+    EXPECT_LT(truth.boundary, kAll * 3 / 4) << Name(loop);
+    EXPECT_GT(truth.interior, kAll / 20) << Name(loop);
+    EXPECT_GT(truth.exterior, kAll / 20) << Name(loop);
+  }
+}
+
+TYPED_TEST(ScenesHardTest, NearEdgePointsAreOnBothSidesAsOften) {
+  constexpr std::size_t kAll = kSize.groups * kSize.size;
+  for (const Loop loop : kLoops) {
+    const SceneTruth truth =
+        JudgeScene(Make<TypeParam>("near_edge:ulps=16", loop));
+    EXPECT_GT(truth.interior, kAll * 2 / 5) << Name(loop);
+    EXPECT_GT(truth.exterior, kAll * 2 / 5) << Name(loop);
+  }
+}
+
+TYPED_TEST(ScenesHardTest, OnEdgeHasThatShareOfPointsOnAnEdge) {
+  for (const Loop loop : kLoops) {
+    EXPECT_LT(BoundaryShare<TypeParam>("on_edge:percent=0", loop), 0.02);
+    EXPECT_NEAR(BoundaryShare<TypeParam>("on_edge:percent=50", loop), 0.5,
+                0.07);
+    EXPECT_EQ(BoundaryShare<TypeParam>("on_edge:percent=100", loop), 1);
+  }
+}
+
+TYPED_TEST(ScenesHardTest, OnBoundaryEveryPointIs) {
+  using Limits = std::numeric_limits<TypeParam>;
+  constexpr int kMost = sizeof(TypeParam) == 4 ? 240 : 2000;
+  for (const std::string at : {"edge", "vertex"}) {
+    for (const int binades : {0, 10, kMost}) {
+      const std::string name =
+          "on_boundary:at=" + at + ":binades=" + std::to_string(binades);
+      for (const Loop loop : kLoops) {
+        EXPECT_EQ(BoundaryShare<TypeParam>(name, loop), 1) << name;
+        int lowest = 0;
+        int highest = 0;
+        std::size_t at_vertex = 0;
+        const auto scene = Make<TypeParam>(name, loop);
+        ForEachAnswer(scene, [&](const auto& t, const auto& p) {
+          for (const TypeParam x : Coordinates(t, p)) {
+            ASSERT_GE(std::abs(x), Limits::min());
+            lowest = std::min(lowest, std::ilogb(x));
+            highest = std::max(highest, std::ilogb(x));
+          }
+          for (const auto& v : {t.a, t.b, t.c}) {
+            at_vertex += v.x == p.x && v.y == p.y ? 1u : 0u;
+          }
+        });
+        EXPECT_GE(highest - lowest, binades * 9 / 10) << name;
+        EXPECT_LE(highest - lowest, binades + 4) << name;
+        EXPECT_EQ(at_vertex, at == "vertex" ? kSize.groups * kSize.size : 0u)
+            << name;
+      }
+    }
+  }
+}
+
+TYPED_TEST(ScenesHardTest, CancellationIsOnBothSidesOfALongEdge) {
+  for (const int binades : {0, 20, 29, 60}) {
+    const std::string name = "cancellation:binades=" + std::to_string(binades);
+    for (const Loop loop : kLoops) {
+      const SceneTruth truth = JudgeScene(Make<TypeParam>(name, loop));
+      const double all = kSize.groups * kSize.size;
+      EXPECT_NEAR(static_cast<double>(truth.boundary), 0.2 * all, 0.06 * all)
+          << name;
+      EXPECT_EQ(truth.degenerate, 0u);
+      if (binades == 0) continue;  // beside a vertex
+      EXPECT_NEAR(static_cast<double>(truth.interior), 0.4 * all, 0.1 * all)
+          << name;
+      EXPECT_NEAR(static_cast<double>(truth.exterior), 0.4 * all, 0.1 * all)
+          << name;
+    }
+  }
+}
+
 TYPED_TEST(ScenesHardTest, DegenerateTrianglesHaveNoAreaAtAll) {
   for (const std::string kind : {"collinear", "doubled", "single"}) {
     for (const Loop loop : kLoops) {

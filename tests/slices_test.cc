@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/measure/parts.h"
 #include "harness/measure/quiet.h"
 #include "harness/measure/threads.h"
 
@@ -93,6 +94,21 @@ TEST(SlicesTest, OfEachPartOfALongCallTheFastestPassCounts) {
   }
   const SliceTimes longer = TimeInSlices({row}, {1}, 1, kCalm);
   EXPECT_EQ(longer.rows[0][0].calls, 8u);
+}
+
+TEST(PartTimesTest, TheFastestPassOverEachPartCounts) {
+  PartTimes times;
+  times.AddPass({1, 5, 2});
+  times.AddPass({3, 4, 2});
+  EXPECT_EQ(times.Fastest(), 1 + 4 + 2);
+  EXPECT_EQ(times.Sum(), 17);
+  EXPECT_EQ(times.Passes(), 2u);
+}
+
+TEST(PartTimesTest, PassesAreFewerTheLongerTheCall) {
+  EXPECT_EQ(PassesOfParts(1, 2), 8u);
+  EXPECT_EQ(PassesOfParts(1, 0.5), 4u);
+  EXPECT_EQ(PassesOfParts(1, 0.01), 1u);
 }
 
 TEST(SlicesTest, WaitsUntilItIsQuiet) {

@@ -1,5 +1,6 @@
-"""What exact answers cost as ever more points lie on an edge, where a bound on
-the rounding error decides nothing: the table, the worst case and the chart.
+"""What exact answers cost where a bound on the rounding error decides nothing: as
+ever more points lie on an edge, and at worst. The table, the worst case and the
+chart.
 """
 
 from __future__ import annotations
@@ -20,8 +21,9 @@ from analysis.charts.chart_frame import (
     style,
     ticks_at,
 )
+from analysis.read.cells import parse_scene
 from analysis.report.method_families import in_order
-from analysis.report.wording import between, significant, times
+from analysis.report.wording import between, counted, significant, times
 from analysis.speed.tables import compared, parameter, widest_isa
 from analysis.trust.noisy_marks import ring
 
@@ -29,13 +31,31 @@ _WIDTH, _HEIGHT = 11.0, 4.6
 _TICKS = [m * 10.0**e for e in range(-4, 7) for m in (1, 2, 5)]
 
 
+# Families whose points are on an edge, so many percent of them: exactly, and in
+# older runs only up to rounding, so nearly never exactly.
+EXACTLY, ROUNDED = "on_edge", "edge_share"
+# All points are on the boundary, and exponents spread.
+BOUNDARY = "on_boundary"
+
+
 def cost_curve(speed: pd.DataFrame, cells: pd.DataFrame) -> pd.DataFrame:
-    """The timed cells along the share of points on an edge (`percent`), with
-    their time over that of the multiply-add edge function in the same scene,
-    ISA and shard (`times_edge`, NaN where it was not timed).
+    """The timed cells along the share of points on an edge (`percent`), and those
+    with nothing but points on the boundary (`percent` NaN; `at` an edge or a
+    vertex, `binades`), with their time over that of the multiply-add edge
+    function in the same scene, ISA and shard (`times_edge`, NaN where it was not
+    timed). Points exactly on an edge, if the run has any.
     """
-    rows = cells[(cells["loop"] == "one_triangle") & (cells["family"] == "edge_share")]
-    rows = rows.assign(percent=parameter(rows, "percent")).dropna(subset=["percent"])
+    timed = cells[cells["loop"] == "one_triangle"]
+    shares = EXACTLY if (timed["family"] == EXACTLY).any() else ROUNDED
+    rows = timed[timed["family"].isin([shares, BOUNDARY])]
+    rows = rows.assign(
+        percent=parameter(rows, "percent"),
+        at=rows["scene"].map(
+            lambda scene: dict(parse_scene(scene).parameters).get("at", "")
+        ),
+        binades=parameter(rows, "binades"),
+    )
+    rows = rows[(rows["family"] == BOUNDARY) | rows["percent"].notna()]
     rows = rows.reset_index(drop=True)
     ratios = compared(
         speed,
@@ -53,40 +73,77 @@ def cost_curve(speed: pd.DataFrame, cells: pd.DataFrame) -> pd.DataFrame:
     )
 
 
+def along_share(table: pd.DataFrame) -> pd.DataFrame:
+    """The rows of cost_curve that are along a share of points."""
+    return table[table["family"] != BOUNDARY]
+
+
+def worst_scenes(table: pd.DataFrame) -> pd.DataFrame:
+    """What `exact` takes for a point where every point is on the boundary, in its
+    slowest scene first, on the widest ISA of each scalar.
+    """
+    on_it = (table["family"] == BOUNDARY) | (table["percent"] == 100)
+    own = table[on_it & (table["method"] == "exact")]
+    parts = [_on_widest(own, scalar) for scalar in sorted(own["scalar"].unique())]
+    slowest = [part.sort_values("ns", ascending=False) for part in parts]
+    rows = pd.concat(slowest) if slowest else own
+    return rows.assign(points=[points_of(row) for _, row in rows.iterrows()])
+
+
+def points_of(row: pd.Series) -> str:
+    """Where the points of the row's scene are."""
+    if row["family"] == BOUNDARY:
+        what = "at a vertex" if row["at"] == "vertex" else "exactly on an edge"
+        over = counted(int(row["binades"]), "binade")
+        return f"all points {what}, exponents over {over}"
+    place = "exactly on an edge" if row["family"] == EXACTLY else "rounded onto an edge"
+    return f"{row['percent']:g} % of the points {place}"
+
+
 def worst_case(table: pd.DataFrame) -> pd.Series | None:
     """The row of `exact` that takes the most times as long as the multiply-add
-    edge function, over all shares, ISAs and scalars; None if none has a ratio.
+    edge function, over all scenes, ISAs and scalars; None if none has a ratio.
     """
     own = table[(table["method"] == "exact") & table["times_edge"].notna()]
     return own.loc[own["times_edge"].idxmax()] if len(own) else None
 
 
-def worst_words(table: pd.DataFrame) -> dict[str, str] | None:
+def worst_words(table: pd.DataFrame) -> dict[str, Any] | None:
     """The worst case in phrases."""
     worst = worst_case(table)
     if worst is None:
         return None
     own = table[(table["method"] == "exact") & table["times_edge"].notna()]
     isas = sorted(own["isa"].unique(), key=palette.isa_rank)
+    slowest = table.loc[table[table["method"] == "exact"]["ns"].idxmax()]
     return {
         "ratio": times(worst["times_edge"]),
         "interval": between(worst["times_edge_low"], worst["times_edge_high"]),
         "scalar": worst["scalar"],
         "isa": worst["isa"],
-        "percent": f"{worst['percent']:g} %",
+        "points": points_of(worst),
         "ns": f"{significant(worst['ns'])} ns",
         "isas": ", ".join(isas),
-        "shares": ", ".join(f"{p:g}" for p in sorted(own["percent"].unique())),
+        "scenes": counted(own["scene"].nunique(), "scene"),
+        "slowest": (
+            f"{significant(slowest['ns'])} ns in {slowest['scalar']} on "
+            f"{slowest['isa']}, {points_of(slowest)}"
+        ),
+        "exactly": bool((table["family"] != ROUNDED).any()),
     }
 
 
 def curve_chart(table: pd.DataFrame, footer: str) -> Chart:
     """Time a point against the share on an edge, a panel a scalar, each on the
-    widest ISA that most of the methods have. `table`: cost_curve, not empty.
+    widest ISA that most of the methods have. `table`: cost_curve, with rows along
+    a share.
     """
-    scalars = sorted(table["scalar"].unique())
-    parts = {scalar: _on_widest(table, scalar) for scalar in scalars}
+    along = along_share(table)
+    scalars = sorted(along["scalar"].unique())
+    parts = {scalar: _on_widest(along, scalar) for scalar in scalars}
     shown = pd.concat(list(parts.values()))
+    exactly = (shown["family"] == EXACTLY).any()
+    place = "exactly on an edge" if exactly else "rounded onto an edge"
     low, high = float(shown["ns_low"].min()), float(shown["ns_high"].max())
     with style():
         figure = plt.figure(figsize=(_WIDTH, _HEIGHT))
@@ -97,11 +154,11 @@ def curve_chart(table: pd.DataFrame, footer: str) -> Chart:
             _panel(axes, parts[scalar], (low / 1.4, high * 1.4))
             isa = parts[scalar]["isa"].iloc[0]
             axes.set_title(f"{scalar}, {isa}", loc="left", fontsize=9, weight="bold")
-            axes.set_xlabel("points on an edge, % (log scale)", fontsize=8.5)
+            axes.set_xlabel(f"points {place}, % (log scale)", fontsize=8.5)
             if column == 0:
                 axes.set_ylabel("ns per point (log scale)      ←  better")
         title = "The cost of exact answers as points come to lie on an edge"
-        worst = worst_case(table)
+        worst = worst_case(along)
         if worst is not None:
             title += (
                 f": at most {times(worst['times_edge'])} the time of {EDGE} "

@@ -168,6 +168,13 @@ EXACT_SPEED = (
     with_interval("of_fastest", "throughput ÷ fastest inexact"),
     word("fastest", "the fastest inexact"),
 )
+EXACT_WORST = (
+    word("scalar", "scalar"),
+    word("isa", "ISA"),
+    word("points", "points"),
+    with_interval("ns", "ns/point"),
+    with_interval("times_edge", "time ÷ edge_function_fma"),
+)
 TWO_TRUTHS = (
     word("id", "case"),
     word("scalar", "scalar"),

@@ -8,7 +8,13 @@ import pandas as pd
 
 from analysis.accuracy import accuracy_tables, failure_columns
 from analysis.accuracy.accuracy_charts import errors_along
-from analysis.accuracy.cost_curve import curve_chart
+from analysis.accuracy.cost_curve import (
+    BOUNDARY,
+    EXACTLY,
+    along_share,
+    curve_chart,
+    worst_scenes,
+)
 from analysis.accuracy.flags_axis import MESH
 from analysis.accuracy.gradients import gradients_chart
 from analysis.accuracy.hardness import HARDNESSES, Hardness
@@ -198,13 +204,30 @@ def add_exact(
             errors,
             failure_columns.EXACT_ERRORS,
         )
-    if len(curve):
+    along = along_share(curve)
+    if len(along):
+        exactly = (along["family"] == EXACTLY).any()
+        what = (
+            "that lie exactly on an edge, which no bound decides"
+            if exactly
+            else "that were rounded onto an edge, so nearly never exactly on it"
+        )
         exhibits.figure(
             curve_chart(curve, footer),
-            "Time a point against the share of points that lie exactly on an edge. "
+            f"Time a point against the share of points {what}. "
             "0 has a place of its own, in grey, since the axis is logarithmic. "
-            "Whiskers are 95 % intervals of the median." + noise_note(curve),
-            curve,
+            "Whiskers are 95 % intervals of the median." + noise_note(along),
+            along,
+        )
+    worst = worst_scenes(curve)
+    if (worst["family"] == BOUNDARY).any():
+        exhibits.table(
+            "exact_worst",
+            "What exact takes where every point is on the boundary, the longest "
+            "first: on edges of plain triangles, and where the coordinates' exponents "
+            "spread over up to nearly all that the number type has.",
+            worst,
+            failure_columns.EXACT_WORST,
         )
     if len(speed):
         exhibits.table(

@@ -101,6 +101,15 @@ HARDNESSES: Final = (
         "linear",
         "{} binades",
     ),
+    Hardness(
+        "cancellation",
+        "binades",
+        "binades from the ends of an edge to a point near its middle",
+        "cancellation",
+        "grows",
+        "linear",
+        "{} binades",
+    ),
 )
 
 

@@ -26,6 +26,7 @@ HARD_FAMILIES = (
     ("offset", "far away"),
     ("scale", "tiny or huge"),
     ("exponent_spread", "exponents spread"),
+    ("cancellation", "products cancel"),
 )
 # What has its wrong answers in a column: key, title, the families. Scenes of
 # special values are those of finite ones: NaN and infinity have their own class.

@@ -1,7 +1,11 @@
 #include "harness/measure/verify.h"
 
+#include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -9,7 +13,9 @@
 
 #include "harness/command/commands.h"
 #include "harness/command/find_kernel.h"
+#include "harness/command/output.h"
 #include "harness/input/csv.h"
+#include "harness/measure/machine.h"
 #include "harness/measure/rays/ray_verify.h"
 #include "harness/scenes/generate.h"
 
@@ -23,6 +29,28 @@ struct VerifyArguments {
   bool rays = false;
   double points = 1e7;
   std::uint64_t seed = kDefaultSeed;
+  std::string out;
+};
+
+// What was verified, and what came out.
+struct Verified {
+  Verification result;
+  std::vector<std::string> isas;
+  std::vector<std::string> loops;
+
+  template <class K>
+  explicit Verified(const std::vector<const K*>& kernels) {
+    for (const K* kernel : kernels) {
+      AddOnce(std::string(Name(kernel->isa)), isas);
+      AddOnce(std::string(Name(kernel->loop, kernel->output)), loops);
+    }
+  }
+
+ private:
+  static void AddOnce(const std::string& name,
+                      std::vector<std::string>& names) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
 };
 
 // Those of `all` that the arguments mean.
@@ -41,7 +69,7 @@ std::vector<const K*> Meant(std::span<const K> all, const VerifyArguments& a,
 }
 
 template <class T>
-Verification Run(const VerifyArguments& a) {
+Verified Run(const VerifyArguments& a) {
   const auto points = static_cast<std::size_t>(a.points);
   const auto progress = [&, shown =
                                 std::size_t{0}](const Verification& v) mutable {
@@ -54,29 +82,65 @@ Verification Run(const VerifyArguments& a) {
   // The searches throw if there is no such kernel.
   if (MeansRays(a.method, a.rays)) {
     FindRayPairsKernel(a.method, ScalarOf<T>(), a.isa);
-    return VerifyRays<T>(Meant(AllRayKernels(), a, ScalarOf<T>(),
-                               [](const RayKernel&) { return true; }),
-                         points, a.seed, progress);
+    const auto kernels = Meant(AllRayKernels(), a, ScalarOf<T>(),
+                               [](const RayKernel&) { return true; });
+    Verified verified(kernels);
+    verified.result = VerifyRays<T>(kernels, points, a.seed, progress);
+    return verified;
   }
   FindCaseKernel(a.method, ScalarOf<T>(), a.isa, RayMethodKeys());
-  return Verify<T>(Meant(AllKernels(), a, ScalarOf<T>(),
-                         [](const Kernel& kernel) {
-                           return kernel.output == Output::kInside;
-                         }),
-                   points, a.seed, progress);
+  const auto kernels = Meant(
+      AllKernels(), a, ScalarOf<T>(),
+      [](const Kernel& kernel) { return kernel.output == Output::kInside; });
+  Verified verified(kernels);
+  verified.result = Verify<T>(kernels, points, a.seed, progress);
+  return verified;
+}
+
+nlohmann::json FileOf(const VerifyArguments& a, const Verified& verified,
+                      double seconds) {
+  const Verification& v = verified.result;
+  return {{"context",
+           {{"schema", "pitbench-verify-1"},
+            {"revision", Revision()},
+            {"dirty", Dirty()},
+            {"seed", a.seed}}},
+          {"of", MeansRays(a.method, a.rays) ? "rays" : "points"},
+          {"method", a.method},
+          {"scalar", a.scalar},
+          {"isas", verified.isas},
+          {"loops", verified.loops},
+          {"points", v.points},
+          {"boundary_points", v.boundary},
+          {"answers", v.answers},
+          {"wrong", v.wrong},
+          {"first_wrong", v.wrong == 0 ? nlohmann::json(nullptr)
+                                       : nlohmann::json(v.first_wrong)},
+          {"seconds", seconds},
+          {"truth_points_per_second",
+           static_cast<double>(v.judged) / v.truth_seconds}};
 }
 
 void RunVerify(const VerifyArguments& a) {
   if (!(a.points >= 1 && a.points <= 1e15)) {
     throw InputError("--points: give a number from 1 to 1e15");
   }
-  const Verification v =
+  std::optional<OutputFile> out;
+  if (!a.out.empty()) out.emplace(a.out);
+  const auto start = std::chrono::steady_clock::now();
+  const Verified verified =
       FloatScalar(a.scalar) == Scalar::kF32 ? Run<float>(a) : Run<double>(a);
-  std::cout << v.points
-            << (MeansRays(a.method, a.rays) ? " rays (" : " points (")
+  const std::chrono::duration<double> time =
+      std::chrono::steady_clock::now() - start;
+  const nlohmann::json file = FileOf(a, verified, time.count());
+  const Verification& v = verified.result;
+  std::cout << v.points << ' ' << file.at("of").get<std::string>() << " ("
             << v.boundary << " on a boundary), " << v.answers << " answers, "
             << v.wrong << " wrong\n"
             << std::flush;
+  std::cerr << "truth: " << file.at("truth_points_per_second").get<double>()
+            << " a second\n";
+  if (out) out->Commit(file.dump(1) + "\n");
   if (v.wrong != 0) throw std::runtime_error(v.first_wrong);
 }
 
@@ -100,6 +164,7 @@ void AddVerify(CLI::App& app) {
                    "at least so many; 1e9 take about half an hour")
       ->capture_default_str();
   verify->add_option("--seed", a->seed, "of the scenes")->capture_default_str();
+  verify->add_option("--out", a->out, "a JSON file that keeps the result");
   verify->callback([a] { RunVerify(*a); });
 }
 

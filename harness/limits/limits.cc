@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "harness/limits/probes.h"
+#include "harness/measure/parts.h"
 #include "harness/measure/slices.h"
 #include "harness/scenes/scene.h"
 
@@ -27,6 +28,10 @@ struct Job {
   std::size_t rounds = 1;
   bool warm = true;  // whether a few rounds go ahead of each sample
   std::vector<double> samples = {};
+  // Of what is long: times one pass, part by part, and does so much in it.
+  std::function<void(std::vector<double>&)> time_parts = nullptr;
+  double done_in_parts = 0;
+  PartTimes all_passes = {};
 };
 
 double SecondsOf(const Job& job, std::size_t rounds, double& done) {
@@ -37,8 +42,23 @@ double SecondsOf(const Job& job, std::size_t rounds, double& done) {
   return std::max(time.count(), 1e-9);
 }
 
+// As rows are timed whose calls are long: the fastest pass over each part. They
+// pass as often again where it is not quiet, as far as their patience goes.
+void SampleParts(Job& job, double seconds) {
+  const double patient = SliceBudget{.seconds = seconds}.patience * seconds;
+  std::vector<double> parts;
+  PartTimes own;
+  do {
+    job.time_parts(parts);
+    own.AddPass(parts);
+    job.all_passes.AddPass(parts);
+  } while (own.Passes() < PassesOfParts(own.Fastest(), patient));
+  job.samples.push_back(job.done_in_parts / own.Fastest());
+}
+
 // Finds how many rounds last `seconds`.
 void Calibrate(Job& job, double seconds) {
+  if (job.time_parts) return;
   double done = 0;
   for (;;) {
     const double time = SecondsOf(job, job.rounds, done);
@@ -53,6 +73,10 @@ void Calibrate(Job& job, double seconds) {
 
 // The best of slices that together last `seconds`.
 void Sample(Job& job, double seconds) {
+  if (job.time_parts) {
+    SampleParts(job, seconds);
+    return;
+  }
   double done = 0;
   if (job.warm) SecondsOf(job, job.rounds / 8 + 1, done);
   double best = 0;
@@ -66,7 +90,9 @@ void Sample(Job& job, double seconds) {
 
 json Finished(Job& job) {
   std::sort(job.samples.begin(), job.samples.end());
-  job.row[job.quantity] = job.samples.back();
+  job.row[job.quantity] = job.time_parts
+                              ? job.done_in_parts / job.all_passes.Fastest()
+                              : job.samples.back();
   job.row["median"] = job.samples[job.samples.size() / 2];
   job.row["lowest"] = job.samples.front();
   return job.row;
@@ -99,6 +125,25 @@ std::vector<Job> OperationJobs(const std::regex& filter) {
   return jobs;
 }
 
+constexpr std::size_t kWholeStep = kMemoryStep * kMostStreams;
+constexpr std::size_t kPart = kBytesOfShortestPart / kWholeStep * kWholeStep;
+
+// Walks over so many bytes in parts no longer than those of any call.
+std::function<void(std::vector<double>&)> WalkInParts(const MemoryProbe& probe,
+                                                      std::byte* memory,
+                                                      std::size_t bytes) {
+  return [run = probe.run, memory, bytes](std::vector<double>& seconds) {
+    seconds.clear();
+    for (std::size_t at = 0; at < bytes; at += kPart) {
+      const auto start = std::chrono::steady_clock::now();
+      run(memory + at, std::min(kPart, bytes - at), 1);
+      const std::chrono::duration<double> time =
+          std::chrono::steady_clock::now() - start;
+      seconds.push_back(time.count());
+    }
+  };
+}
+
 // Every level is loaded from; only the first is stored to, as the kernels
 // write a bit or a few bytes where they read many.
 std::vector<Job> MemoryJobs(const std::regex& filter,
@@ -128,6 +173,11 @@ std::vector<Job> MemoryJobs(const std::regex& filter,
                                    static_cast<double>(rounds);
                           },
                       .warm = level.capacity != 0});
+      if (static_cast<double>(level.probed) >= kBytesOfLongCall) {
+        jobs.back().time_parts =
+            WalkInParts(probe, memory.data(), level.probed);
+        jobs.back().done_in_parts = static_cast<double>(level.probed);
+      }
     }
   }
   return jobs;
@@ -138,9 +188,9 @@ std::vector<Job> MemoryJobs(const std::regex& filter,
 std::vector<MemoryLevel> MemoryLevels(const std::vector<std::size_t>& caches,
                                       std::size_t memory) {
   const auto whole_steps = [](double bytes) {
-    constexpr std::size_t kStep = kMemoryStep * kMostStreams;
-    return std::max(static_cast<std::size_t>(bytes) / kStep, std::size_t{1}) *
-           kStep;
+    return std::max(static_cast<std::size_t>(bytes) / kWholeStep,
+                    std::size_t{1}) *
+           kWholeStep;
   };
   std::vector<MemoryLevel> levels;
   for (std::size_t k = 0; k < caches.size(); ++k) {

@@ -1,7 +1,7 @@
 // What this machine can do at most: bandwidth of each cache level and of
 // memory, and arithmetic operations a second, for each ISA and scalar.
 //
-// Three things mislead.
+// Four things mislead.
 //   - A limit is what the machine can do, so it is the best of the repetitions
 //     and not their median: whatever disturbs makes a sample slower, nothing
 //     makes it faster. The median is kept as well, to show how far apart.
@@ -12,6 +12,11 @@
 //   - How many arrays are read at once changes what the prefetchers deliver;
 //     loads are measured with one, two and six, as the loops of the kernels
 //     read them. The limit is the largest.
+//   - Calls so long that a disturbance always falls into them are timed in
+//     parts, and the fastest pass over each adds up to less than any pass took.
+//     Sets as large are walked in such parts too, so that no row beats its
+//     bound by the way in which it was timed; the limit is of the fastest pass
+//     over each part in all repetitions.
 #ifndef PITBENCH_HARNESS_LIMITS_LIMITS_H_
 #define PITBENCH_HARNESS_LIMITS_LIMITS_H_
 

@@ -41,8 +41,9 @@ void AddSizes(std::vector<ProfileScene>& scenes, Scalar scalar,
          scalar,
          /*weights=*/false,
          {"cross_product", "cross_product_unhoisted", "cross_product_centered",
-          "edge_function", "edge_function_fma", "barycentric_inverse",
-          "barycentric_determinant", "uv_projection", "exact"},
+          "edge_function", "edge_function_fma", "edge_slope_fma",
+          "barycentric_inverse", "barycentric_determinant", "uv_projection",
+          "exact"},
          kNarrowAndWide});
   }
 }

@@ -59,6 +59,9 @@ void AddSwept(Scenes& scenes, int step, const std::vector<Loop>& swept) {
         true);
     add("exponent_spread:binades=",
         f32 ? Range(0, 60, 6 * step) : Range(0, 120, 12 * step), true);
+    // In f32 about the 29 binades from which differences round in f64.
+    add("cancellation:binades=",
+        f32 ? Range(20, 36, 2 * step) : Range(0, 60, 10 * step), true);
     const std::vector<int> mesh_ulps =
         step == 1 ? std::vector{0, 1, 2, 4, 16, 256, 4096}
                   : std::vector{0, 1, 16};
@@ -101,17 +104,37 @@ void AddKinds(Scenes& scenes) {
             false);
 }
 
-// What points on edges cost a method that looks at them twice, and for
+// What points exactly on edges cost a method that looks at them twice, and for
 // comparison one that does not.
+void AddOnBoundary(Scenes& scenes, Scalar scalar, std::string name) {
+  name.append(":sets=fresh");
+  scenes.push_back({name,
+                    {Loop::kOneTriangle},
+                    scalar,
+                    false,
+                    {"edge_function_fma", "shewchuk_adaptive", "exact"}});
+}
 void AddEdgeShares(Scenes& scenes, std::initializer_list<int> percents) {
   for (const Scalar scalar : {Scalar::kF32, Scalar::kF64}) {
     for (const int percent : percents) {
-      scenes.push_back(
-          {"edge_share:percent=" + std::to_string(percent) + ":sets=fresh",
-           {Loop::kOneTriangle},
-           scalar,
-           false,
-           {"edge_function_fma", "shewchuk_adaptive", "exact"}});
+      AddOnBoundary(scenes, scalar,
+                    "on_edge:percent=" + std::to_string(percent));
+    }
+  }
+}
+
+// The worst of it: nothing but such points, with exponents over so many percent
+// of the range of the scalar.
+void AddWorstBoundaries(Scenes& scenes, std::initializer_list<int> percents) {
+  for (const Scalar scalar : {Scalar::kF32, Scalar::kF64}) {
+    const int most = scalar == Scalar::kF32 ? 240 : 2000;
+    for (const char* at : {"edge", "vertex"}) {
+      for (const int percent : percents) {
+        std::string name = "on_boundary:at=";
+        name.append(at).append(":binades=");
+        AddOnBoundary(scenes, scalar,
+                      name + std::to_string(most * percent / 100));
+      }
     }
   }
 }
@@ -131,6 +154,7 @@ Profile Tiny() {
   AddScenes(tiny.speed, {"uniform:hit=50:bytes=24k:sets=fixed"}, false);
   AddScenes(tiny.speed, {"near_edge:ulps=1:sets=fresh"}, false);
   AddEdgeShares(tiny.speed, {0, 100});
+  AddWorstBoundaries(tiny.speed, {100});
   AddGrid(tiny.speed, {"grid_80x50:sets=fresh"});
   AddGridPoints(tiny.speed, "grid_points_80x50:sets=fixed");
   AddHitRates(tiny.speed, Scalar::kF32, {0, 100}, {"fresh", "fixed"});
@@ -163,11 +187,16 @@ Profile Quick() {
   AddGrid(quick.speed, {"grid_80x50:sets=fresh", "grid_80x50:sets=fixed"});
   AddGridPoints(quick.speed, "grid_points_80x50:sets=fresh");
   AddEdgeShares(quick.speed, {0, 1, 10, 100});
+  AddWorstBoundaries(quick.speed, {100});
   AddHitRates(quick.speed, Scalar::kF32, {0, 1, 10, 90, 100},
               {"fresh", "fixed"});
   AddSizes(quick.speed, Scalar::kF32, {1}, "fresh");
   AddSizes(quick.speed, Scalar::kF32, PointCounts(4, 12, 2), "fresh");
   AddSizes(quick.speed, Scalar::kF32, PointCounts(16, 24, 4), "fresh");
+  quick.speed.push_back({"uniform:hit=50:bytes=512k:sets=fresh",
+                         {Loop::kOnePoint},
+                         Scalar::kF32,
+                         false});
   AddThreads(quick.speed, Scalar::kF32, "64M");
   AddSideBySide(quick.speed, Scalar::kF32,
                 {"uniform:hit=50:n=16777216:sets=fresh"});
@@ -210,11 +239,15 @@ Profile Full() {
   AddGrid(full.speed, {"grid_80x50:sets=fresh", "grid_80x50:sets=fixed"});
   AddGridPoints(full.speed, "grid_points_80x50:sets=fresh");
   AddEdgeShares(full.speed, {0, 1, 2, 5, 10, 20, 50, 100});
+  AddWorstBoundaries(full.speed, {0, 25, 50, 75, 100});
   for (const Scalar scalar : {Scalar::kF32, Scalar::kF64}) {
     AddHitRates(full.speed, scalar, {0, 1, 100}, {"fresh", "fixed"});
     AddHitRates(full.speed, scalar, {10, 90}, {"fixed"});  // fresh: above
+    // Every power of two where methods overtake each other; f64 has the sizes
+    // of the caches beyond in larger steps.
     const int step = scalar == Scalar::kF32 ? 1 : 4;
-    AddSizes(full.speed, scalar, PointCounts(0, 24, step), "fresh");
+    AddSizes(full.speed, scalar, PointCounts(0, 12, 1), "fresh");
+    AddSizes(full.speed, scalar, PointCounts(12 + step, 24, step), "fresh");
     AddSizes(full.speed, scalar, PointCounts(0, 16, 4), "fixed");
     AddSideBySide(full.speed, scalar, {"uniform:hit=50:bytes=64M:sets=fresh"});
     AddThreads(full.speed, scalar, "64M");

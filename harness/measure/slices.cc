@@ -7,10 +7,11 @@
 #include <limits>
 #include <random>
 
+#include "harness/measure/parts.h"
+
 namespace pitbench {
 namespace {
 
-constexpr double kMostPasses = 8;
 // Of slow calls there are fewer passes, so that a repetition sees more of what
 // calls differ by.
 constexpr double kFewestPasses = 3;
@@ -42,13 +43,6 @@ double Calibrated(const TimedCalls& row) {
   return best;
 }
 
-// Parts of long calls come from memory that all cores share, where two passes
-// are rarely alike. So there are as many passes as of other calls, unless a
-// repetition would take that many times as long as theirs.
-std::size_t PassesOfParts(double call_seconds, double seconds) {
-  return Whole(std::min(kMostPasses, kMostPasses * seconds / call_seconds));
-}
-
 // What the passes over one piece of a repetition came to.
 struct Piece {
   std::size_t first;  // call
@@ -72,7 +66,8 @@ class Window {
 
   void TimeSlice() {
     if (row_.time_parts) {
-      TimeParts();
+      row_.time_parts(start_, seconds_);
+      parts_.AddPass(seconds_);
       return;
     }
     Piece& piece = pieces_[next_];
@@ -90,6 +85,11 @@ class Window {
   }
 
   Repetition Result() const {
+    if (row_.time_parts) {
+      return {parts_.Fastest(),
+              parts_.Sum() / static_cast<double>(parts_.Passes()),
+              parts_.Passes()};
+    }
     double fastest = 0;
     double sum = 0;
     std::size_t calls = 0;
@@ -103,22 +103,12 @@ class Window {
   }
 
  private:
-  // All pieces at once: the parts of the call.
-  void TimeParts() {
-    row_.time_parts(start_, parts_);
-    pieces_.resize(parts_.size(), {start_, 0});
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-      pieces_[k].fastest = std::min(pieces_[k].fastest, parts_[k]);
-      pieces_[k].sum += parts_[k];
-    }
-    ++pieces_[0].calls;
-  }
-
   const TimedCalls& row_;
   const SlicePlan& plan_;
   std::size_t start_;
   std::vector<Piece> pieces_;
-  std::vector<double> parts_;
+  PartTimes parts_;  // of a call that is timed so
+  std::vector<double> seconds_;
   std::size_t next_ = 0;
 };
 

@@ -21,9 +21,9 @@
 //   - before each slice the calls ahead of it run untimed, since others had the
 //     caches and predictors meanwhile.
 // What is left out is kept: the mean over all passes tells how disturbed the
-// machine was. A call that is much longer than a slice is timed in parts, one
-// behind the other, and of each part the fastest pass counts. Precision, on
-// that machine: most medians are known to 1 or 2 %.
+// machine was. A call that is much longer than a slice is timed in parts
+// (parts.h), and so is the memory that bounds it. Precision, on that machine:
+// most medians are known to 1 or 2 %.
 #ifndef PITBENCH_HARNESS_MEASURE_SLICES_H_
 #define PITBENCH_HARNESS_MEASURE_SLICES_H_
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "harness/measure/answers.h"
+#include "harness/measure/parts.h"
 #include "harness/measure/rays/ray_speed.h"
 #include "harness/measure/threads.h"
 #include "kernels/placements.h"
@@ -70,13 +71,8 @@ struct PreparedScene {
 template <class T>
 using Prepared = std::shared_ptr<PreparedScene<T>>;
 
-// A call that reads so much takes milliseconds and is the only one of its
-// scene; its parts take about a slice.
-constexpr double kBytesOfLongCall = 0x1p24;
-constexpr std::size_t kItemsOfPart = std::size_t{1} << 16;
-
 // Times the calls of a scene in parts, each of which writes behind the one
-// before it as the call would.
+// before it as the call would. A long call is the only one of its scene.
 template <class T>
 PartsTimer TimedParts(const Kernel& kernel, const Prepared<T>& prepared) {
   const Scene<T>& scene = *prepared->scene;

@@ -51,7 +51,8 @@ std::string Describe(const Kernel& kernel, const Scene<T>& scene,
 template <class T>
 void VerifyOn(const Scene<T>& scene, const std::vector<const Kernel*>& kernels,
               Verification& so_far) {
-  const SceneTruth truth = JudgeScene(scene);
+  const SceneTruth truth =
+      TimedTruth([&] { return JudgeScene(scene); }, so_far);
   so_far.points +=
       truth.interior + truth.exterior + truth.boundary + truth.degenerate;
   so_far.boundary += truth.boundary;
@@ -89,18 +90,28 @@ std::vector<std::string> HardScenes(Scalar scalar) {
   std::vector<std::string> names;
   AddSwept(names, "near_edge:ulps=", {0, 1, 2, 3, 5, 16, 256, 65536});
   AddSwept(names, "near_vertex:ulps=", {0, 1, 2, 16, 4096});
+  AddSwept(names, "on_edge:percent=", {50});
   if (scalar == Scalar::kF32) {
     AddSwept(names, "needle:aspect=", {2, 6, 12, 18, 22, 26, 36});
     AddSwept(names, "offset:ratio=", {2, 8, 14, 18, 21, 23, 24});
     AddSwept(names,
              "scale:exponent=", {-145, -126, -76, -63, -38, 38, 64, 126});
     AddSwept(names, "exponent_spread:binades=", {4, 16, 28, 29, 40, 60});
+    AddSwept(names, "cancellation:binades=", {0, 20, 28, 29, 60});
+    for (const char* at : {"edge", "vertex"}) {
+      AddSwept(names, std::string("on_boundary:at=") + at + ":binades=", {240});
+    }
   } else {
     AddSwept(names, "needle:aspect=", {2, 10, 25, 40, 48, 54, 60});
     AddSwept(names, "offset:ratio=", {2, 16, 30, 44, 49, 51, 52});
     AddSwept(names, "scale:exponent=",
              {-1070, -1022, -538, -270, 256, 511, 512, 1022});
     AddSwept(names, "exponent_spread:binades=", {4, 28, 53, 60, 90, 120});
+    AddSwept(names, "cancellation:binades=", {0, 2, 20, 53, 120});
+    for (const char* at : {"edge", "vertex"}) {
+      AddSwept(names,
+               std::string("on_boundary:at=") + at + ":binades=", {2000});
+    }
   }
   AddKinds(names, "degenerate:kind=", {"collinear", "doubled", "single"});
   AddKinds(names, "special:kind=",

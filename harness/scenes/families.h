@@ -24,8 +24,11 @@ template <class T>
 Scene<T> NearVertexScene(const SceneSpec& spec, Loop loop, SceneSize size,
                          std::uint64_t seed);
 template <class T>
-Scene<T> EdgeShareScene(const SceneSpec& spec, Loop loop, SceneSize size,
-                        std::uint64_t seed);
+Scene<T> OnEdgeScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                     std::uint64_t seed);
+template <class T>
+Scene<T> OnBoundaryScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                         std::uint64_t seed);
 template <class T>
 Scene<T> NeedleScene(const SceneSpec& spec, Loop loop, SceneSize size,
                      std::uint64_t seed);
@@ -38,6 +41,9 @@ Scene<T> ScaleScene(const SceneSpec& spec, Loop loop, SceneSize size,
 template <class T>
 Scene<T> ExponentSpreadScene(const SceneSpec& spec, Loop loop, SceneSize size,
                              std::uint64_t seed);
+template <class T>
+Scene<T> CancellationScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                           std::uint64_t seed);
 template <class T>
 Scene<T> DegenerateScene(const SceneSpec& spec, Loop loop, SceneSize size,
                          std::uint64_t seed);

@@ -1,8 +1,7 @@
 // Two triangles with a shared edge, and a fan of eight around a vertex. Every
 // triangle of such a mesh is asked about every point.
 //
-// Half of the meshes are exact: their vertices are multiples of 2^-10, and
-// points are sixteenths of an edge along it. So before they are moved, these
+// Half of the meshes are exact (exact_edge.h): before they are moved, their
 // points are on the edge exactly; those of other meshes only as far as they
 // round.
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/scenes/exact_edge.h"
 #include "harness/scenes/families.h"
 #include "harness/scenes/mesh.h"
 #include "harness/scenes/step.h"
@@ -23,13 +23,12 @@ std::int64_t EitherSign(Random& random, std::int64_t ulps) {
   return random.Below(2) == 0 ? ulps : -ulps;
 }
 
-double ExactIf(bool exact, double x, int bits) {
-  return exact ? std::ldexp(std::floor(std::ldexp(x, bits)), -bits) : x;
-}
 template <class T>
 Point<T> VertexAt(bool exact, const Point<double>& p) {
-  return Rounded<T>(
-      Point<double>{ExactIf(exact, p.x, 10), ExactIf(exact, p.y, 10)});
+  return Rounded<T>(exact ? OnGrid(p, kVertexBits) : p);
+}
+double ShareOf(bool exact, Random& random, double low, double high) {
+  return exact ? ExactShare(random, low, high) : random.In(low, high);
 }
 
 // Which side of ab the point c is on, as far as double tells.
@@ -65,7 +64,7 @@ struct Pair {
     }
   }
   Point<T> DrawPoint(Random& random) const {
-    const double s = ExactIf(exact, random.In(0.1, 0.9), 4);
+    const double s = ShareOf(exact, random, 0.1, 0.9);
     return BesideEdge(from, to, s, EitherSign(random, ulps));
   }
 };
@@ -113,7 +112,7 @@ struct Fan {
       return {x, Step(middle.y, EitherSign(random, ulps))};
     }
     const std::size_t k = random.Below(kTriangles);
-    const double s = ExactIf(exact, random.In(0.05, 0.6), 4);
+    const double s = ShareOf(exact, random, 0.05, 0.6);
     return BesideEdge(middle, rim[k], s, EitherSign(random, ulps));
   }
 };

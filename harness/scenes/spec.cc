@@ -30,7 +30,8 @@ const std::vector<FamilyInfo>& Families() {
        "points, at every call; sets=fixed always the same."},
       {"near_edge", "ulps:sets",
        "Points rounded onto an edge of a well-shaped triangle in the unit "
-       "square and then moved off it by this many representable numbers."},
+       "square and then moved off it, to either side, by this many "
+       "representable numbers; of ulps=0 half are exactly on the edge."},
       {"needle", "aspect:sets",
        "Triangles of length 1 and altitude 2^-aspect in any direction; points "
        "around them within twice their altitude."},
@@ -44,9 +45,13 @@ const std::vector<FamilyInfo>& Families() {
        "The same triangles and the same pixels, but these as an array of 4000 "
        "points, as i32, i16 and u8; a call is one triangle."},
       {"own", "", "Triangles and points from your own CSV files."},
-      {"edge_share", "percent:sets",
-       "Points of which so many percent are rounded onto an edge, and all "
-       "others are uniform in the unit square; well-shaped triangles."},
+      {"on_edge", "percent:sets",
+       "Points of which so many percent are exactly on an edge, and all others "
+       "are uniform in the unit square; well-shaped triangles."},
+      {"on_boundary", "at:binades:sets",
+       "Points all exactly on an edge (at=edge) or vertices of the triangle "
+       "(at=vertex), whose coordinates have exponents that spread over so many "
+       "binades."},
       {"near_vertex", "ulps:sets",
        "Points this many representable numbers away from a vertex of a "
        "well-shaped triangle in the unit square."},
@@ -56,6 +61,10 @@ const std::vector<FamilyInfo>& Families() {
       {"exponent_spread", "binades:sets",
        "Triangles whose coordinates have exponents from -binades to 0 and "
        "either sign; points rounded onto their edges."},
+      {"cancellation", "binades:sets",
+       "Triangles with an edge from v to -v; points v times 2^-binades, "
+       "exactly "
+       "on it or up to two representable numbers off."},
       {"degenerate", "kind:sets",
        "Triangles without area, exactly: kind=collinear, doubled (two vertices "
        "are one) or single (all are one). Points on their line and near it."},

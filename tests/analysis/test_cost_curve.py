@@ -12,8 +12,11 @@ from analysis.accuracy.cost_curve import (
     curve_chart,
     places,
     worst_case,
+    worst_scenes,
     worst_words,
 )
+from analysis.accuracy.failure_exhibits import add_exact
+from analysis.report.exhibits import Exhibits
 from analysis.speed.tables import speed_cells
 from tests.analysis.test_tables import FRESH, name, speed_frame
 
@@ -21,7 +24,10 @@ STEADY = [1 + k / 900 for k in range(9)]
 
 
 def cell(method: str, percent: int, isa: str = "avx2", scalar: str = "f32") -> str:
-    scene = f"edge_share:percent={percent}:sets=fresh"
+    return at_scene(method, f"on_edge:percent={percent}:sets=fresh", isa, scalar)
+
+
+def at_scene(method: str, scene: str, isa: str = "avx2", scalar: str = "f32") -> str:
     return name(method, isa, scene).replace("/f32/", f"/{scalar}/")
 
 
@@ -80,13 +86,73 @@ def test_the_worst_case_looks_at_every_scalar_and_isa() -> None:
     }
     words = worst_words(curve(frame(more)))
     assert words is not None
-    assert (words["scalar"], words["isa"], words["percent"]) == (
+    assert (words["scalar"], words["isa"], words["points"]) == (
         "f64",
         "avx512",
-        "100 %",
+        "100 % of the points exactly on an edge",
     )
     assert words["ratio"].startswith("5.0") and words["interval"].startswith("4.9")
-    assert words["isas"] == "avx2, avx512" and words["shares"] == "0, 10, 100"
+    assert words["isas"] == "avx2, avx512" and words["scenes"] == "3 scenes"
+    assert words["exactly"]
+
+
+VERTEX = "on_boundary:at=vertex:binades=240:sets=fresh"
+EDGE = "on_boundary:at=edge:binades=0:sets=fresh"
+BOUNDARY = {
+    **TIMES,
+    at_scene("edge_function_fma", VERTEX): 1.0,
+    at_scene("exact", VERTEX): 90.0,
+    at_scene("edge_function_fma", EDGE): 1.0,
+    at_scene("exact", EDGE): 5.0,
+    at_scene("exact", EDGE, "scalar"): 100.0,
+}
+
+
+def test_the_worst_case_is_that_of_points_on_the_boundary() -> None:
+    words = worst_words(curve(frame(BOUNDARY)))
+    assert words is not None
+    assert words["points"] == "all points at a vertex, exponents over 240 binades"
+    assert words["ratio"].startswith("90.")
+    # The longest time needs no ratio.
+    assert "in f32 on scalar, all points exactly on an edge" in words["slowest"]
+
+
+def test_the_worst_scenes_are_those_without_a_point_inside_longest_first() -> None:
+    table = worst_scenes(curve(frame(BOUNDARY)))
+    assert list(table["ns"].round()) == [90.0, 6.0, 5.0]
+    assert set(table["isa"]) == {"avx2"} and set(table["method"]) == {"exact"}
+    assert table["points"].iloc[1] == "100 % of the points exactly on an edge"
+    assert not len(worst_scenes(curve(frame({name("exact", "avx2", FRESH): 1.0}))))
+
+
+def test_the_chart_has_no_scene_without_a_share() -> None:
+    chart = curve_chart(curve(frame(BOUNDARY)), "footer")
+    assert "90" not in chart.alt.replace("\u00a0", " ") and "nan" not in chart.alt
+
+
+def captions(speed: pd.DataFrame) -> dict[str, str]:
+    exhibits = Exhibits()
+    add_exact(exhibits, pd.DataFrame(), pd.DataFrame(), curve(speed), "footer")
+    return {exhibit.key: exhibit.caption for exhibit in exhibits}
+
+
+def test_the_captions_say_where_the_points_are() -> None:
+    found = captions(frame(BOUNDARY))
+    assert "exactly on an edge" in found["cost_curve"]
+    assert "every point is on the boundary" in found["exact_worst"]
+    old = {at.replace("on_edge", "edge_share"): t for at, t in TIMES.items()}
+    found = captions(frame(old))
+    assert "rounded onto an edge" in found["cost_curve"]
+    assert "exact_worst" not in found
+
+
+def test_points_that_were_rounded_onto_an_edge_are_not_said_to_be_on_it() -> None:
+    old = {at.replace("on_edge", "edge_share"): t for at, t in TIMES.items()}
+    words = worst_words(curve(frame(old)))
+    assert words is not None and not words["exactly"]
+    assert words["points"] == "10 % of the points rounded onto an edge"
+    both = curve(frame({**old, **TIMES}))
+    assert set(both["family"]) == {"on_edge"}
 
 
 def test_without_a_ratio_there_is_no_worst_case() -> None:

@@ -23,7 +23,29 @@ NAMES = ["machine", "speed", "accuracy", "methods", "maps", "limits"] + [
     "sweep",
     "times",
     "stored",
+    "verify",
 ]
+# As `pitbench verify --out` writes it; no file of a run.
+VERIFIED: dict[str, Any] = {
+    "context": {
+        "schema": "pitbench-verify-1",
+        "revision": "5f17ce7ab1e0",
+        "dirty": False,
+        "seed": 1,
+    },
+    "of": "points",
+    "method": "exact",
+    "scalar": "f32",
+    "isas": ["scalar", "avx2"],
+    "loops": ["one_triangle", "pairs"],
+    "points": 1000,
+    "boundary_points": 90,
+    "answers": 4000,
+    "wrong": 0,
+    "first_wrong": None,
+    "seconds": 1.5,
+    "truth_points_per_second": 1e7,
+}
 
 
 def fits(name: str, document: Any) -> bool:
@@ -35,6 +57,8 @@ def good(name: str) -> Any:
         with tempfile.TemporaryDirectory() as folder:
             run = load_run(write_run(Path(folder) / "run", TWO_METHODS))
         return json.loads(json.dumps(measured(run, "a label", anonymous=False)))
+    if name == "verify":
+        return copy.deepcopy(VERIFIED)
     files = documents(TWO_METHODS)
     return copy.deepcopy(next(d for f, d in files.items() if f.startswith(name)))
 

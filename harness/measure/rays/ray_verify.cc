@@ -45,7 +45,11 @@ void VerifyOn(const RayScene<T>& scene,
     if (kernel->loop != scene.loop) continue;
     std::optional<SceneTruth>& truth =
         truths.at(kernel->method.culls_backface ? 1 : 0);
-    if (!truth) truth = JudgeRays(scene, kernel->method.culls_backface);
+    if (!truth) {
+      truth = TimedTruth(
+          [&] { return JudgeRays(scene, kernel->method.culls_backface); },
+          so_far);
+    }
     if (!counted) {
       counted = true;
       so_far.points += truth->interior + truth->exterior + truth->boundary +
