@@ -46,6 +46,7 @@ SHOWN: Final[dict[str, Cut]] = {
     "hero-{scalar}": WHOLE,
     "scaling-{scalar}": WHOLE,
     "roofline-{scalar}": WHOLE,
+    "goals": Cut(notes=False, without=("bound by",)),
     "input-hit-{scalar}": WHOLE,
     "input-size-{scalar}": WHOLE,
     "threads": Cut(notes=False),

@@ -22,7 +22,7 @@ import pandas as pd
 from analysis.read.run import Run
 from analysis.report.columns import number, sentence, word
 from analysis.report.exhibits import Column, Exhibits
-from analysis.report.wording import NONE, counted, listed, with_interval
+from analysis.report.wording import NONE, counted, with_interval
 from analysis.speed import grid_tables, layout_tables, limit_columns
 from analysis.speed.goal_kernels import EDGE, EXACT, Measured
 from analysis.trust.stats import Interval
@@ -72,7 +72,7 @@ class Goals:
         }
 
     def missing_words(self) -> str:
-        return listed(list(dict.fromkeys(self.missing)))
+        return "; ".join(dict.fromkeys(self.missing))
 
 
 def outcome(value: Interval, wanted: float) -> str:
@@ -307,5 +307,6 @@ def goal_facts(found: Goals) -> dict[str, Any]:
         **counts,
         "set_words": counted(counts["set"], "goal"),
         "missing": found.missing_words(),
-        "missing_count": len(found.missing),
+        "missing_words": counted(len(set(found.missing)), "goal"),
+        "missing_count": len(set(found.missing)),
     }
