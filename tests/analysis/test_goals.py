@@ -4,9 +4,9 @@ left out and said to be.
 
 from __future__ import annotations
 
-import re
 import dataclasses
 import math
+import re
 from pathlib import Path
 from typing import Any
 
