@@ -21,7 +21,8 @@ inline constexpr double kBytesOfLongCall = 0x1p24;
 // How many items a part of a call has. Of points in f32 it reads 512 KiB, and
 // of all else more.
 inline constexpr std::size_t kItemsOfPart = std::size_t{1} << 16;
-inline constexpr std::size_t kBytesOfShortestPart = 2 * 4 * kItemsOfPart;
+inline constexpr std::size_t kBytesOfShortestPart =
+    2 * sizeof(float) * kItemsOfPart;
 
 // Of calls long and short.
 inline constexpr double kMostPasses = 8;

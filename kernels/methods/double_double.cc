@@ -19,8 +19,8 @@
 // (0x1.a1cc7b7044fafp-44, 0x1.b0ad90f7c737p-46) on its other side.
 // Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
 //   double_double: none found
-// by `pitbench hunt`, whose coordinates are 2^-30 to 1, those of P at least 1/2;
-// report/recipes.csv has inputs elsewhere.
+// by `pitbench hunt`, whose coordinates are 2^-30 to 1, those of P at least
+// 1/2; report/recipes.csv has inputs elsewhere.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/double_double.cc"

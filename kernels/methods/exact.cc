@@ -13,8 +13,8 @@
 // The few in 10^6 uniform f32 points that are not decided (2 or 3 of most
 // triangles, 13 of a steep one) cost 3 determinants in double precision, and,
 // where these cannot tell either, in integers of as many bits as the exponents
-// need; those around them are looked at again. Where a line would be too steep for a small t, lines over y or edge
-// functions take the place of lines over x.
+// need; those around them are looked at again. Where a line would be too steep
+// for a small t, lines over y or edge functions take the place of lines over x.
 // Boundary: closed (exact), open (exact_open) or top-left (exact_top_left):
 // with that every point of a mesh is in exactly one triangle. Winding: any.
 // Degenerate: contains nothing. Fails: never. Slowest where all points are

@@ -19,8 +19,8 @@
 //   promoted_f64: none found
 //   promoted_f64_fma: none found
 //   promoted_f64_kahan: none found
-// by `pitbench hunt`, whose coordinates are 2^-30 to 1, those of P at least 1/2;
-// report/recipes.csv has inputs elsewhere.
+// by `pitbench hunt`, whose coordinates are 2^-30 to 1, those of P at least
+// 1/2; report/recipes.csv has inputs elsewhere.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/promoted_f64.cc"

@@ -15,8 +15,8 @@
 // look like a point on the edge; those that overflow like one outside.
 // Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
 //   shewchuk_adaptive: none found
-// by `pitbench hunt`, whose coordinates are 2^-30 to 1, those of P at least 1/2;
-// report/recipes.csv has inputs elsewhere.
+// by `pitbench hunt`, whose coordinates are 2^-30 to 1, those of P at least
+// 1/2; report/recipes.csv has inputs elsewhere.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/methods/shewchuk_adaptive.cc"

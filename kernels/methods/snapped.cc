@@ -14,9 +14,9 @@
 // Boundary: closed. Winding: fixed by the set-up. Degenerate: contains nothing.
 // Fails: P and the vertices each move by half a step of the grid, 1/127 of the
 // box, in x and in y, so an answer may be wrong within one step along x and one
-// along y of the boundary; a needle that is thinner may contain nothing. Nearer to the origin or
-// farther, larger or smaller makes no difference.
-// Worst known f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
+// along y of the boundary; a needle that is thinner may contain nothing. Nearer
+// to the origin or farther, larger or smaller makes no difference. Worst known
+// f32 inputs, A B C p (tests/worst_inputs.csv has f64 as well):
 //   snapped_i16, said inside, is 3.62e+05 ulps outside:
 //     (-0x1.f58p-1, -0x1.f18p-1) (0x1p+0, 0x1.ecp-1)
 //     (0x1.a94p-4, -0x1.d63cp-1) (0x1.e8p-4, -0x1.de04p-1)
