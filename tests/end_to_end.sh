@@ -44,7 +44,7 @@ check() {
 readonly run=$work/results/tiny
 sweep=("$python" harness/sweep.py --pitbench "$pitbench" --profile tiny --out "$run")
 
-shard_files() { find "$run" -maxdepth 1 -regex '.*/\(limits\|speed-.*\|accuracy-.*\|maps\|operations\|instructions\)\.json'; }
+shard_files() { find "$run" -maxdepth 1 -regex '.*/\(limits\|limits_after\|speed-.*\|accuracy-.*\|maps\|operations\|instructions\)\.json'; }
 
 # The commands of the shards that the sweep is running now.
 running_shards() {
