@@ -7,8 +7,8 @@
 // the difference of, and the differences before them have as many bits as
 // binades + digits. Of f32 in f64 they round from 30 binades on, and from there
 // on plain arithmetic, multiply-adds and Kahan's difference of products are
-// wrong each in a way of its own. Before, only products round: a multiply-add is
-// wrong of points on the edge, and little else goes wrong.
+// wrong each in a way of its own. Before, only products round: a multiply-add
+// is wrong of points on the edge, and little else goes wrong.
 #include <cmath>
 
 #include "harness/scenes/families.h"
