@@ -66,6 +66,7 @@ METHODS: Final = {
     "snapped_i16": MethodStyle("#999933"),
     "snapped_u8": MethodStyle("#999933", variant=True),
     "byte_pairs": MethodStyle("#6A51A3"),
+    "byte_spans": MethodStyle("#6A51A3", variant=True),
     "edge_lanes": MethodStyle("#A6761D", variant=True),
     "grid_incremental": MethodStyle("#1B7837", variant=True),
     "grid_clipped": MethodStyle("#1B7837"),

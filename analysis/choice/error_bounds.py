@@ -67,7 +67,8 @@ EXPANSION_RANGE: Final = {
 }
 SNAP_STEPS: Final = 127  # kernels/methods/snapped.cc
 # Coordinates that differ by less are exact (kernels/methods/edge_function.cc,
-# byte_pairs.cc: from 0 to 127).
+# byte_pairs.cc and byte_spans.cc: from 0 to 127).
+BYTES: Final = frozenset({"byte_pairs", "byte_spans"})
 INTEGER_SPAN: Final = {"i32": 2**15, "i16": 2**7, "u8": 2**7}
 
 
@@ -139,7 +140,7 @@ def _integer_bound(method: str, extent: Extent) -> Bound:
         return _exact("on whole numbers of any size")
     if extent.width >= span:
         return _none(f"coordinates differ by more than {span - 1}")
-    if method == "byte_pairs" and not 0 <= extent.low <= extent.high < span:
+    if method in BYTES and not 0 <= extent.low <= extent.high < span:
         return _none(f"coordinates are not all from 0 to {span - 1}")
     return _exact(
         f"since whole numbers that differ by less than {span} do not overflow"

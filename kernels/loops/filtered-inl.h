@@ -54,40 +54,58 @@ static HWY_NOINLINE void Decide(D d, std::size_t first, std::size_t end,
   }
 }
 
-// Writes what the margins of the block of items from `start` on say if they
-// decide, and keeps in of_all and watch what tells whether they do: with what
-// was there, but in of_all of this block alone if kFirst.
+// Items of a step: two vectors, or as many as make a byte.
+template <class D>
+HWY_INLINE std::size_t FilteredStep(D d) {
+  return 2 * HWY_MAX(hn::Lanes(d), std::size_t{4});
+}
+
+// Writes what the margins of the step of items from `start` on say if they
+// decide; gives what tells whether they do, and adds to `watch`.
+template <bool kMayBeNaN, class D, class MarginAt>
+HWY_INLINE Vec<D> WriteFilteredStep(D d, std::size_t start,
+                                    TFromD<D> decided_above, std::uint8_t* to,
+                                    const MarginAt& margin_at, Vec<D>& watch) {
+  const std::size_t lanes = hn::Lanes(d);
+  const std::size_t step = FilteredStep(d);
+  std::uint64_t byte = 0;
+  auto of_step = watch;
+  for (std::size_t j = 0; j < step; j += 2 * lanes) {
+    const auto margin0 = margin_at(start + j);
+    const auto margin1 = margin_at(start + j + lanes);
+    if constexpr (kHalved) {
+      StoreInside(d, margin0, margin1, to);
+    } else if (lanes >= 8) {
+      hn::StoreMaskBits(d, InsideIfDecided(d, margin0, decided_above), to);
+      hn::StoreMaskBits(d, InsideIfDecided(d, margin1, decided_above),
+                        to + lanes / 8);
+    } else {
+      const auto inside0 = InsideIfDecided(d, margin0, decided_above);
+      const auto inside1 = InsideIfDecided(d, margin1, decided_above);
+      byte |= (MaskBits(d, inside0) | MaskBits(d, inside1) << lanes) << j;
+    }
+    const auto of_two = OfMargins(d, margin0, margin1);
+    of_step = j == 0 ? of_two : OfBoth(d, of_step, of_two);
+    if constexpr (kMayBeNaN) watch = Watch(watch, margin0, margin1);
+  }
+  if (!kHalved && lanes < 8) *to = static_cast<std::uint8_t>(byte);
+  return of_step;
+}
+
+// The same for a block of items; in of_all is kept what was there as well, but
+// not if kFirst.
 template <bool kMayBeNaN, bool kFirst, class D, class MarginAt>
 HWY_INLINE void WriteFilteredBlock(D d, std::size_t start,
                                    TFromD<D> decided_above, std::uint8_t* to,
                                    const MarginAt& margin_at, Vec<D>& of_all,
                                    Vec<D>& watch) {
-  const std::size_t lanes = hn::Lanes(d);
-  const std::size_t block = 8 * HWY_MAX(lanes, std::size_t{8});
-  const std::size_t step = 2 * HWY_MAX(lanes, std::size_t{4});
+  const std::size_t block = 8 * HWY_MAX(hn::Lanes(d), std::size_t{8});
+  const std::size_t step = FilteredStep(d);
 #pragma GCC unroll 8
   for (std::size_t i = 0; i < block; i += step) {
-    std::uint64_t byte = 0;
-    for (std::size_t j = 0; j < step; j += 2 * lanes) {
-      const auto margin0 = margin_at(start + i + j);
-      const auto margin1 = margin_at(start + i + j + lanes);
-      if constexpr (kHalved) {
-        StoreInside(d, margin0, margin1, to + i / 8);
-      } else if (lanes >= 8) {
-        hn::StoreMaskBits(d, InsideIfDecided(d, margin0, decided_above),
-                          to + i / 8);
-        hn::StoreMaskBits(d, InsideIfDecided(d, margin1, decided_above),
-                          to + (i + lanes) / 8);
-      } else {
-        const auto inside0 = InsideIfDecided(d, margin0, decided_above);
-        const auto inside1 = InsideIfDecided(d, margin1, decided_above);
-        byte |= (MaskBits(d, inside0) | MaskBits(d, inside1) << lanes) << j;
-      }
-      const auto of_two = OfMargins(d, margin0, margin1);
-      of_all = kFirst && i + j == 0 ? of_two : OfBoth(d, of_all, of_two);
-      if constexpr (kMayBeNaN) watch = Watch(watch, margin0, margin1);
-    }
-    if (!kHalved && lanes < 8) to[i / 8] = static_cast<std::uint8_t>(byte);
+    const auto of_step = WriteFilteredStep<kMayBeNaN>(
+        d, start + i, decided_above, to + i / 8, margin_at, watch);
+    of_all = kFirst && i == 0 ? of_step : OfBoth(d, of_all, of_step);
   }
 }
 
@@ -162,6 +180,24 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> decided_above,
                contains);
       }
       first += block;
+    }
+  }
+  const std::size_t step = FilteredStep(d);
+  const std::size_t steps = (n - first) / step;
+  if (steps != 0) {
+    auto of_all = OfNoMargin(d);
+    auto watch = Zero(d);
+    std::size_t start = first;
+    for (std::size_t k = 0; k != steps; ++k) {
+      of_all = OfBoth(
+          d, of_all,
+          WriteFilteredStep<kMayBeNaN>(d, start, decided_above,
+                                       bits + start / 8, margin_at, watch));
+      start += step;
+    }
+    if (AllDecided(d, of_all, decided_above) &&
+        (!kMayBeNaN || NoneIsNaN(d, watch))) {
+      first = start;
     }
   }
   if (first < n) {

@@ -53,6 +53,11 @@ struct SpanTriangles {
   HWY_ALIGN std::uint32_t last[kSpanBlock];  // less than `first` if empty
 };
 
+// The number of 16 bits in both halves of a word.
+HWY_INLINE std::uint32_t Twice(int value) {
+  return static_cast<std::uint16_t>(value) * 0x10001u;
+}
+
 template <class D>
 HWY_INLINE void StoreTwice(D, Vec<D> v, std::uint32_t* to) {
   const hn::RebindToUnsigned<D> u;
@@ -167,26 +172,51 @@ HWY_INLINE Vec<SpanLanes> Crossing(Vec<SpanLanes> rows, Vec<SpanLanes> start,
       hn::MulHigh(Add(Mul(rows, step), start), reciprocal));
 }
 
-// In each of the rows the two ends of triangle k's span, in either order: the
+// Edge k of those that are set up.
+struct SpanEdge {
+  const SpanEdges& of;
+  std::size_t k;
+
+  HWY_INLINE Vec<SpanLanes> Start(SpanLanes d) const {
+    return Broadcast(d, of.start[k]);
+  }
+  HWY_INLINE Vec<SpanLanes> Step(SpanLanes d) const {
+    return Broadcast(d, of.step[k]);
+  }
+  HWY_INLINE Vec<SpanLanes> Reciprocal(SpanLanes d) const {
+    return Broadcast(d, of.reciprocal[k]);
+  }
+};
+
+// One triangle: its edges, and its rows as SpanTriangles has them.
+struct SpanTriangle {
+  SpanEdge whole, below, above;
+  std::uint32_t first, middle, last;
+};
+
+HWY_INLINE SpanTriangle TriangleOf(const SpanTriangles& t, std::size_t k) {
+  return {{t.whole, k}, {t.below, k}, {t.above, k},
+          t.first[k],   t.middle[k],  t.last[k]};
+}
+
+// In each of the rows the two ends of the triangle's span, in either order: the
 // first column inside and the first behind; in rows beyond it two equal
 // numbers, with kBounded 0.
 template <bool kBounded>
 HWY_INLINE void SpanEnds(SpanLanes d, Vec<SpanLanes> rows,
-                         const SpanTriangles& t, std::size_t k,
-                         Vec<SpanLanes>& u, Vec<SpanLanes>& v) {
+                         const SpanTriangle& t, Vec<SpanLanes>& u,
+                         Vec<SpanLanes>& v) {
   const hn::RebindToSigned<SpanLanes> s;
-  const auto in = [&](const std::uint32_t* field)
-                      HWY_ATTR { return Broadcast(d, field[k]); };
   const auto row = hn::BitCast(s, rows);
-  const auto at = [&](const std::uint32_t* field)
-                      HWY_ATTR { return hn::BitCast(s, in(field)); };
+  const auto at = [&](std::uint32_t of_triangle) HWY_ATTR {
+    return hn::BitCast(s, Broadcast(d, of_triangle));
+  };
   const auto is_below = hn::RebindMask(d, Lt(row, at(t.middle)));
-  u = Crossing(rows, in(t.whole.start), in(t.whole.step),
-               in(t.whole.reciprocal));
+  u = Crossing(rows, t.whole.Start(d), t.whole.Step(d), t.whole.Reciprocal(d));
   v = Crossing(
-      rows, IfThenElse(is_below, in(t.below.start), in(t.above.start)),
-      IfThenElse(is_below, in(t.below.step), in(t.above.step)),
-      IfThenElse(is_below, in(t.below.reciprocal), in(t.above.reciprocal)));
+      rows, IfThenElse(is_below, t.below.Start(d), t.above.Start(d)),
+      IfThenElse(is_below, t.below.Step(d), t.above.Step(d)),
+      IfThenElse(is_below, t.below.Reciprocal(d), t.above.Reciprocal(d)));
   const auto outside =
       hn::RebindMask(d, Or(Lt(row, at(t.first)), Gt(row, at(t.last))));
   if constexpr (kBounded) {

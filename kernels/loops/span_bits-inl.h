@@ -66,11 +66,12 @@ HWY_INLINE void WriteSpanRows(const SpanTriangles& t, std::size_t k,
   const std::size_t lanes = hn::Lanes(d);
   HWY_ALIGN std::uint16_t u[kMostRows];
   HWY_ALIGN std::uint16_t v[kMostRows];
+  const SpanTriangle triangle = TriangleOf(t, k);
   auto row = hn::Iota(d, std::uint16_t{0});
   for (std::size_t y = 0; y < height; y += lanes) {
     auto from = row;
     auto to = row;
-    SpanEnds<true>(d, row, t, k, from, to);
+    SpanEnds<true>(d, row, triangle, from, to);
     hn::Store(from, d, u + y);
     hn::Store(to, d, v + y);
     row = Add(row, Set(d, static_cast<std::uint16_t>(lanes)));
@@ -163,14 +164,17 @@ HWY_INLINE void WriteSpanWords(const SpanTriangles& t, std::size_t first,
   const auto high_rows = hn::Iota(d, std::uint16_t{32});
   const std::size_t words = kWordsARow * height;
   for (std::size_t k = first; k < behind; ++k) {
+    const SpanTriangle triangle = TriangleOf(t, k);
     auto low_u = low_rows;
     auto low_v = low_rows;
     auto high_u = low_rows;
     auto high_v = low_rows;
     // Both before the first is stored, which might, as far as the compiler
     // knows, change what the second is made of.
-    SpanEnds<false>(d, low_rows, t, k, low_u, low_v);
-    if (height > 32) SpanEnds<false>(d, high_rows, t, k, high_u, high_v);
+    SpanEnds<false>(d, low_rows, triangle, low_u, low_v);
+    if (height > 32) {
+      SpanEnds<false>(d, high_rows, triangle, high_u, high_v);
+    }
     WriteWords<kSpare>(at, low_u.raw, low_v.raw, words, rows);
     if (height > 32) {
       WriteWords<kSpare>(at, high_u.raw, high_v.raw, words - 160, rows + 320);

@@ -21,6 +21,7 @@
 #define HWY_TARGET_INCLUDE "kernels/methods/byte_pairs.cc"
 #include <hwy/foreach_target.h>
 
+#include "kernels/loops/byte_points-inl.h"
 #include "kernels/rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -114,7 +115,7 @@ static void BytePairs(const Batch<std::uint8_t>& batch,
   const ByteEdges factors(batch);
   const EdgesOfPairs edges(factors);
   const __m512i sum = _mm512_set1_epi16(static_cast<std::int16_t>(factors.sum));
-  const auto inside = [&](__m512i px, __m512i py) HWY_ATTR {
+  const auto inside = [=](__m512i px, __m512i py) HWY_ATTR {
     // Else the compiler loads both twice.
     asm("" : "+v"(px), "+v"(py));
     const Vec<Bytes> x{px};
@@ -126,33 +127,7 @@ static void BytePairs(const Batch<std::uint8_t>& batch,
            _pdep_u64(_mm512_cmple_epu16_mask(high.raw, sum),
                      0xFF00FF00FF00FF00);
   };
-  const std::uint8_t* const px = batch.px;
-  const std::uint8_t* const py = batch.py;
-  std::uint8_t* const bits = result.bits;
-  const std::size_t n = batch.n;
-  const auto write = [&](std::size_t i) HWY_ATTR
-      __attribute__((always_inline)) {
-    const std::uint64_t word =
-        inside(_mm512_loadu_si512(px + i), _mm512_loadu_si512(py + i));
-    std::memcpy(bits + i / 8, &word, sizeof(word));
-  };
-  // Eight vectors a turn: so few turns that a predictor knows the last, and the
-  // next call begins before this one has ended.
-  std::size_t i = 0;
-  for (; i + 512 <= n; i += 512) {
-    HWY_UNROLL(8)
-    for (std::size_t j = 0; j < 512; j += 64) write(i + j);
-  }
-  for (; i + 64 <= n; i += 64) write(i);
-  if (i == n) return;
-  // What a mask leaves out is neither read nor written.
-  const std::uint64_t real = (std::uint64_t{1} << (n - i)) - 1;
-  const std::uint64_t word =
-      real & inside(_mm512_maskz_loadu_epi8(real, px + i),
-                    _mm512_maskz_loadu_epi8(real, py + i));
-  _mm_mask_storeu_epi8(bits + i / 8,
-                       static_cast<__mmask16>((1u << BitBytes(n - i)) - 1),
-                       _mm_cvtsi64_si128(static_cast<std::int64_t>(word)));
+  WriteBytePoints(batch, result, inside);
 }
 
 #else

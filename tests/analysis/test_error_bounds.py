@@ -136,7 +136,7 @@ def test_every_method_of_the_program_is_looked_at() -> None:
         and method["accepts"] == "triangle"
         and bound(method["key"], _stout("f32")).why == "no bound is proved for it"
     }
-    whole = {"byte_pairs", "edge_lanes", *error_bounds.EXACT_GRIDS}
+    whole = {*error_bounds.BYTES, "edge_lanes", *error_bounds.EXACT_GRIDS}
     assert unknown <= whole | {m["key"] for m in listed.get("ray_methods", [])}
 
 
