@@ -182,23 +182,20 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> decided_above,
       first += block;
     }
   }
+  if (HWY_LIKELY(first == n)) return;
   const std::size_t step = FilteredStep(d);
-  const std::size_t steps = (n - first) / step;
-  if (steps != 0) {
-    auto of_all = OfNoMargin(d);
-    auto watch = Zero(d);
-    std::size_t start = first;
-    for (std::size_t k = 0; k != steps; ++k) {
-      of_all = OfBoth(
-          d, of_all,
-          WriteFilteredStep<kMayBeNaN>(d, start, decided_above,
-                                       bits + start / 8, margin_at, watch));
-      start += step;
-    }
-    if (AllDecided(d, of_all, decided_above) &&
-        (!kMayBeNaN || NoneIsNaN(d, watch))) {
-      first = start;
-    }
+  auto of_all = OfNoMargin(d);
+  auto watch = Zero(d);
+  std::size_t start = first;
+  for (std::size_t steps = (n - first) / step; steps != 0; --steps) {
+    const auto of_step = WriteFilteredStep<kMayBeNaN>(
+        d, start, decided_above, bits + start / 8, margin_at, watch);
+    of_all = OfBoth(d, of_all, of_step);
+    start += step;
+  }
+  if (AllDecided(d, of_all, decided_above) &&
+      (!kMayBeNaN || NoneIsNaN(d, watch))) {
+    first = start;
   }
   if (first < n) {
     Decide(d, first, n, decided_above, bits, margin_at, tail_at, contains);
