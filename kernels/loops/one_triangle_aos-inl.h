@@ -58,33 +58,18 @@ using BlockBits = std::uint64_t;
 using BlockBits = std::uint32_t;
 #endif
 inline constexpr std::size_t kBlockPoints = 8 * sizeof(BlockBits);
-// The bits of what comes of `a` in TakeApart: two of four, or one of two.
-template <class T>
-inline constexpr BlockBits kBitsOfFirst = static_cast<BlockBits>(
-    sizeof(T) == 4 ? 0x3333333333333333u : 0x5555555555555555u);
-
-// Which halves of a block vector v takes apart, as elements of the block: those
-// from which the bits of a word come in the order that OrderedBits undoes.
-template <class D>
-struct Halves {
-  std::size_t a, b;
-  HWY_INLINE explicit Halves(std::size_t v)
-#if HWY_TARGET == HWY_AVX3
-      : a(v * kMaxLanes<D>), b(kBlockPoints + v * kMaxLanes<D>){}
-#else
-      : a(2 * v * kMaxLanes<D>), b((2 * v + 1) * kMaxLanes<D>) {
-  }
-#endif
-};
 
 // A word of bits in the order of the points.
 template <class T>
 HWY_INLINE BlockBits OrderedBits(BlockBits word) {
 #if HWY_TARGET == HWY_AVX3
-  // `a` is of the first half of the block and `b` of the second: each is
-  // gathered by itself.
-  return _pext_u64(word, kBitsOfFirst<T>) | _pext_u64(word, ~kBitsOfFirst<T>)
-                                                << 32;
+  // In the bits of a vector those of `a` and of `b` take turns, one by one or
+  // two by two; those of `a` are the first half of them.
+  constexpr bool kPairs = sizeof(T) == 4;
+  constexpr BlockBits kOfA = kPairs ? 0x3333333333333333 : 0x5555555555555555;
+  constexpr BlockBits kFirst = kPairs ? 0x00FF00FF00FF00FF : 0x0F0F0F0F0F0F0F0F;
+  return _pdep_u64(_pext_u64(word, kOfA), kFirst) |
+         _pdep_u64(_pext_u64(word, ~kOfA), ~kFirst);
 #else
   // A vector has two 128-bit lanes, so that it is only the second quarter of
   // its bits and the third that change places. (Gathering takes as long, and on
@@ -96,17 +81,18 @@ HWY_INLINE BlockBits OrderedBits(BlockBits word) {
 #endif
 }
 
-// Answers for the points of one block.
+// Answers for the points of one block, which is read from first to last: out of
+// order it comes half as fast from memory.
 template <class D, class Form>
 HWY_INLINE void WriteBlock(D d, const TFromD<D>* block, std::uint8_t* bits,
                            const Form& form) {
   BlockBits word = 0;
 #pragma GCC unroll 8
   for (std::size_t v = 0; v < kBlockPoints / kMaxLanes<D>; ++v) {
-    const Halves<D> halves(v);
+    const TFromD<D>* const pairs = block + 2 * v * kMaxLanes<D>;
     Vec<D> x, y;
-    TakeApart(InRegister(hn::LoadU(d, block + halves.a)),
-              InRegister(hn::LoadU(d, block + halves.b)), x, y);
+    TakeApart(InRegister(hn::LoadU(d, pairs)),
+              InRegister(hn::LoadU(d, pairs + kMaxLanes<D>)), x, y);
     word |= static_cast<BlockBits>(MaskBits(d, form.Inside(d, x, y)))
             << (v * kMaxLanes<D>);
   }
