@@ -101,9 +101,10 @@ nlohmann::json FileOf(const VerifyArguments& a, const Verified& verified,
                       double seconds) {
   const Verification& v = verified.result;
   return {{"context",
-           {{"schema", "pitbench-verify-1"},
+           {{"schema", "pitbench-verify-2"},
             {"revision", Revision()},
             {"dirty", Dirty()},
+            {"kernel_hash", KernelHash()},
             {"seed", a.seed}}},
           {"of", MeansRays(a.method, a.rays) ? "rays" : "points"},
           {"method", a.method},

@@ -181,6 +181,7 @@ json Flags() {
 
 std::string_view Revision() { return kRevision; }
 bool Dirty() { return kDirty; }
+std::string_view KernelHash() { return kKernelHash; }
 
 json DescribeMachine(std::uint64_t seed) {
   const std::string highway = std::to_string(HWY_MAJOR) + "." +
@@ -201,7 +202,7 @@ json DescribeMachine(std::uint64_t seed) {
       {"libraries", libraries},
       {"revision", Revision()},
       {"dirty", Dirty()},
-      {"kernel_hash", kKernelHash},
+      {"kernel_hash", KernelHash()},
       {"seed", seed},
       {"memory_bytes", static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
                            static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE))}};

@@ -16,6 +16,8 @@ nlohmann::json DescribeMachine(std::uint64_t seed);
 // the checkout had changes.
 std::string_view Revision();
 bool Dirty();
+// Of the kernels' sources (harness/build_info.cmake).
+std::string_view KernelHash();
 
 }  // namespace pitbench
 

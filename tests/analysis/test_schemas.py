@@ -28,9 +28,10 @@ NAMES = ["machine", "speed", "accuracy", "methods", "maps", "limits"] + [
 # As `pitbench verify --out` writes it; no file of a run.
 VERIFIED: dict[str, Any] = {
     "context": {
-        "schema": "pitbench-verify-1",
+        "schema": "pitbench-verify-2",
         "revision": "5f17ce7ab1e0",
         "dirty": False,
+        "kernel_hash": "ab" * 32,
         "seed": 1,
     },
     "of": "points",
