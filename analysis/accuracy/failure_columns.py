@@ -140,6 +140,12 @@ FLAGS_AXIS = (
     failure_rate("double_hit", "with"),
     with_interval("time", "time: with ÷ without"),
 )
+_AT_MOST = Column(
+    "at most, 95 %",
+    lambda row: wording.share(row["error_rate_high"]),
+    sort="error_rate_high",
+    hint="upper end of the Wilson interval of the points",
+)
 EXACT_ERRORS = (
     word("method", "method"),
     word("scalar", "scalar"),
@@ -148,15 +154,23 @@ EXACT_ERRORS = (
     whole("wrong", "wrong answers"),
     whole("of", "of answers"),
     whole("points", "to points"),
-    Column(
-        "at most, 95 %",
-        lambda row: wording.share(row["error_rate_high"]),
-        sort="error_rate_high",
-        hint="upper end of the Wilson interval of the points",
-    ),
+    _AT_MOST,
     whole("holes", "holes"),
     whole("double_hits", "double hits"),
     whole("queries", "of queries on meshes"),
+)
+VERIFIED = (
+    word("method", "method"),
+    word("scalar", "scalar"),
+    whole("wrong", "wrong answers"),
+    whole("answers", "of answers"),
+    whole("points", "to points"),
+    whole("boundary_points", "of them on a boundary"),
+    _AT_MOST,
+    sentence("isas", "ISAs"),
+    sentence("loops", "loops"),
+    word("kernels", "kernels"),
+    number("truth_per_second", "judged a second", "points, by truth on one CPU"),
 )
 EXACT_SPEED = (
     word("method", "method"),

@@ -20,6 +20,7 @@ from analysis.accuracy.failures import (
 from analysis.accuracy.flags_axis import MESH
 from analysis.accuracy.hardness import hardness_of
 from analysis.accuracy.overview import KEYS, failing_most, never_failing
+from analysis.accuracy.verified import verified_words
 from analysis.charts import palette, ramp
 from analysis.report.method_families import in_order
 from analysis.report.report import Report
@@ -221,6 +222,7 @@ def exact_words(report: Report) -> dict[str, Any] | None:
         "points": counted(int(of_scalar["points"].max().sum()), "point"),
         "scenes": counted(int(errors["scenes"].max()), "scene"),
         "at_most": listed([f"{short_share(v)} ({s})" for s, v in highest.items()]),
+        "verified": verified_words(report.verified),
         "worst_case": worst_words(report.cost_curve),
         "ratios": {
             column: [

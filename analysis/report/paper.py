@@ -60,6 +60,7 @@ SHOWN: Final[dict[str, Cut]] = {
     "recipes": Cut(without=("of A, B, C and P",)),
     "verdicts": Cut(named=True, without=("% of limit",)),
     "exact_errors": WHOLE,
+    "verified": Cut(without=("loops",)),
     "cost_curve": WHOLE,
     "choice_map": WHOLE,
     "typical_scenes": Cut(without=("command",)),

@@ -16,6 +16,7 @@ from analysis.accuracy.failure_exhibits import LANE
 from analysis.accuracy.flags_axis import flags_axis
 from analysis.accuracy.overview import overview
 from analysis.accuracy.recipes import add_recipes
+from analysis.accuracy.verified import add_verified, verified
 from analysis.charts.hero_chart import hero, named
 from analysis.charts.palette import method_rank
 from analysis.choice import choice_exhibits
@@ -75,6 +76,7 @@ class Report:
     overviews: dict[str, pd.DataFrame]  # scalar → its table
     flags: pd.DataFrame
     exact_errors: pd.DataFrame
+    verified: pd.DataFrame  # by pitbench verify, apart from the run
     exact_speed: pd.DataFrame
     cost_curve: pd.DataFrame
     placement_spreads: pd.DataFrame
@@ -132,7 +134,9 @@ def build(whole: Run, stored: Sequence[Run] = ()) -> Report:
     failure_exhibits.add_errors(exhibits, run, scalars, footer)
     failure_exhibits.add_pictures(exhibits, run, scalars, footer)
     curve = cost_curve(run.speed, cells)
+    at_length = verified(run.machine.kernel_hash)
     failure_exhibits.add_exact(exhibits, promised, price, curve, footer)
+    add_verified(exhibits, at_length)
     beside = add_peers(exhibits, parted, MAIN_LOOP)
     _add_fixed(exhibits, run, cells, scalar, footer)
     chapter = input_chapter(run, timed)
@@ -174,6 +178,7 @@ def build(whole: Run, stored: Sequence[Run] = ()) -> Report:
         overviews=overviews,
         flags=flags,
         exact_errors=promised,
+        verified=at_length,
         exact_speed=price,
         cost_curve=curve,
         placement_spreads=spreads,

@@ -19,6 +19,10 @@ from analysis.speed.written import STORES
 AT_THE_BOUND: Final = 0.8
 # From this share of a call's time on, what it does but once decides.
 MOST_OF_A_CALL: Final = 0.5
+# Counts of instructions that differ by no more than this share are the same, and
+# explain a loss of up to this ratio.
+SAME_COUNT: Final = 0.02
+NEAR: Final = 1.1
 UNEXPLAINED: Final = "unexplained"
 _KERNEL: Final = ("loop", "scalar", "method", "isa")
 
@@ -76,6 +80,7 @@ def explanation(step: Step, evidence: Evidence) -> tuple[str, str]:
         or _short_call(step, evidence)
         or _instructions(step, evidence)
         or _placement(step, evidence)
+        or _as_many_instructions(step, evidence)
         or _none(step)
     )
 
@@ -140,6 +145,18 @@ def _placement(step: Step, evidence: Evidence) -> tuple[str, str] | None:
         "placement",
         "differs no more than a kernel does from itself elsewhere in memory "
         f"({significant(evidence.spread)} in the median){same}",
+    )
+
+
+def _as_many_instructions(step: Step, evidence: Evidence) -> tuple[str, str] | None:
+    here = evidence.instructions(step, step["isa"])
+    there = evidence.instructions(step, step["below"])
+    if not (step["ratio"] <= NEAR and abs(here - there) <= SAME_COUNT * there):
+        return None
+    return (
+        "as many instructions",
+        f"executes as many instructions an item ({significant(here)} and "
+        f"{significant(there)}): it is which they are, their order or their place",
     )
 
 

@@ -182,6 +182,7 @@ def test_a_noisy_row_is_called_so_and_stays_unexplained() -> None:
         (executed(sse4=8, avx2=9), math.nan, {}, "compiled to more instructions"),
         (executed(avx2=9), math.nan, {}, UNEXPLAINED),
         (executed(sse4=8, avx2=8), 1.2, {}, "differs no more than"),
+        (executed(sse4=8, avx2=8), 1.05, {}, "executes as many instructions"),
         (executed(), 1.05, {}, UNEXPLAINED),
         (
             executed(sse4=8, avx2=9),
