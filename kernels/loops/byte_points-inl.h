@@ -1,4 +1,5 @@
-// How AVX-512 walks points of bytes: 64 a step, whose answers are one word.
+// How points of bytes are walked: by vectors, or on AVX-512 64 at a time, whose
+// answers are one word.
 #if defined(PITBENCH_KERNELS_LOOPS_BYTE_POINTS_INL_H_) == \
     defined(HWY_TARGET_TOGGLE)
 #ifdef PITBENCH_KERNELS_LOOPS_BYTE_POINTS_INL_H_
@@ -15,13 +16,31 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
+// Writes the answers of inside(px, py), which takes as many points as d has
+// lanes, from as many bytes as `bytes` has.
+template <class D, class Bytes, class Inside>
+HWY_INLINE void WriteBytePoints(D d, Bytes, const Batch<std::uint8_t>& batch,
+                                const Result<std::uint8_t>& result,
+                                const Inside& inside) {
+  const std::uint8_t* const px = batch.px;
+  const std::uint8_t* const py = batch.py;
+  WriteBits(
+      d, batch.n, result.bits,
+      [&](std::size_t i) HWY_ATTR { return inside(px + i, py + i); },
+      [&](std::size_t i, std::size_t count) HWY_ATTR {
+        const Tail<Bytes> x(px + i, count);
+        const Tail<Bytes> y(py + i, count);
+        return And(inside(x.data(), y.data()), hn::FirstN(d, count));
+      });
+}
+
 #if HWY_TARGET == HWY_AVX3
 // Writes the answers of inside(x, y), a bit for each of 64 points. It should
 // hold what it needs by value, as those of WriteBits.
 template <class Inside>
-HWY_INLINE void WriteBytePoints(const Batch<std::uint8_t>& batch,
-                                const Result<std::uint8_t>& result,
-                                const Inside& inside) {
+HWY_INLINE void WriteBytePointWords(const Batch<std::uint8_t>& batch,
+                                    const Result<std::uint8_t>& result,
+                                    const Inside& inside) {
   const std::uint8_t* const px = batch.px;
   const std::uint8_t* const py = batch.py;
   std::uint8_t* const bits = result.bits;

@@ -127,7 +127,7 @@ static void BytePairs(const Batch<std::uint8_t>& batch,
            _pdep_u64(_mm512_cmple_epu16_mask(high.raw, sum),
                      0xFF00FF00FF00FF00);
   };
-  WriteBytePoints(batch, result, inside);
+  WriteBytePointWords(batch, result, inside);
 }
 
 #else
@@ -163,16 +163,7 @@ static void BytePairs(const Batch<std::uint8_t>& batch,
                        beyond(hn::InterleaveUpper(d, x, y))),
                   Zero(d));
   };
-  const std::uint8_t* const px = batch.px;
-  const std::uint8_t* const py = batch.py;
-  WriteBits(
-      d, batch.n, result.bits,
-      [&](std::size_t i) HWY_ATTR { return inside(px + i, py + i); },
-      [&](std::size_t i, std::size_t count) HWY_ATTR {
-        const Tail<Bytes> x(px + i, count);
-        const Tail<Bytes> y(py + i, count);
-        return And(inside(x.data(), y.data()), hn::FirstN(d, count));
-      });
+  WriteBytePoints(d, d, batch, result, inside);
 }
 
 #endif
@@ -195,16 +186,7 @@ static void BytePairs(const Batch<std::uint8_t>& batch,
     const auto sum = Sum(at(0), at(1));  // unsigned: no Le on every target
     return hn::RebindMask(d, hn::Eq(hn::Min(sum, Set(u, edges.sum)), sum));
   };
-  const std::uint8_t* const px = batch.px;
-  const std::uint8_t* const py = batch.py;
-  WriteBits(
-      d, batch.n, result.bits,
-      [&](std::size_t i) HWY_ATTR { return inside(px + i, py + i); },
-      [&](std::size_t i, std::size_t count) HWY_ATTR {
-        const Tail<decltype(bytes)> x(px + i, count);
-        const Tail<decltype(bytes)> y(py + i, count);
-        return And(inside(x.data(), y.data()), hn::FirstN(d, count));
-      });
+  WriteBytePoints(d, bytes, batch, result, inside);
 }
 
 #endif

@@ -185,7 +185,7 @@ static void ByVectorTables(const Batch<std::uint8_t>& batch,
     const __m512i first = LowerHalves(first0.raw, first1.raw);
     const __m512i count = LowerHalves(count0.raw, count1.raw);
     const __m512i none = _mm512_setzero_si512();
-    WriteBytePoints(batch, result, [=](__m512i x, __m512i y) HWY_ATTR {
+    WriteBytePointWords(batch, result, [=](__m512i x, __m512i y) HWY_ATTR {
       asm("" : "+v"(y));  // else it is loaded twice
       return _mm512_cmplt_epu8_mask(_mm512_sub_epi8(x, LookUp(first, y)),
                                     LookUp(count, none, y));
@@ -197,7 +197,7 @@ static void ByVectorTables(const Batch<std::uint8_t>& batch,
     const __m512i first1 = _mm512_load_si512(spans.first + 64);
     const __m512i count0 = _mm512_load_si512(spans.count);
     const __m512i count1 = _mm512_load_si512(spans.count + 64);
-    WriteBytePoints(batch, result, [=](__m512i x, __m512i y) HWY_ATTR {
+    WriteBytePointWords(batch, result, [=](__m512i x, __m512i y) HWY_ATTR {
       const __m512i first = LookUp(first0, first1, y);
       return _mm512_cmplt_epu8_mask(_mm512_sub_epi8(x, first),
                                     LookUp(count0, count1, y));
@@ -269,16 +269,7 @@ static void ByTables(const Batch<std::uint8_t>& batch,
     const auto left = hn::SaturatedSub(count, Sub(hn::LoadU(d, px), first));
     return hn::Ne(left, Zero(d));
   };
-  const std::uint8_t* const px = batch.px;
-  const std::uint8_t* const py = batch.py;
-  WriteBits(
-      d, batch.n, result.bits,
-      [&](std::size_t i) HWY_ATTR { return inside(px + i, py + i); },
-      [&](std::size_t i, std::size_t count) HWY_ATTR {
-        const Tail<Bytes> x(px + i, count);
-        const Tail<Bytes> y(py + i, count);
-        return And(inside(x.data(), y.data()), hn::FirstN(d, count));
-      });
+  WriteBytePoints(d, d, batch, result, inside);
 }
 
 static void LookUpSpans(const Batch<std::uint8_t>& batch,
