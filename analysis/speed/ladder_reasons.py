@@ -11,6 +11,7 @@ from typing import Any, Final
 
 import pandas as pd
 
+from analysis.charts.palette import is_autovec
 from analysis.read.cells import parse_scene
 from analysis.report.wording import counted, share, significant
 from analysis.speed.written import STORES
@@ -19,6 +20,8 @@ from analysis.speed.written import STORES
 AT_THE_BOUND: Final = 0.8
 # From this share of a call's time on, what it does but once decides.
 MOST_OF_A_CALL: Final = 0.5
+# What gains less over the scalar row has no vectors; the narrowest have two lanes.
+VECTORS_GAIN: Final = 1.25
 # Counts of instructions that differ by no more than this share are the same, and
 # explain a loss of up to this ratio.
 SAME_COUNT: Final = 0.02
@@ -78,6 +81,7 @@ def explanation(step: Step, evidence: Evidence) -> tuple[str, str]:
         _memory(step)
         or _division(step)
         or _short_call(step, evidence)
+        or _not_vectorised(step)
         or _instructions(step, evidence)
         or _placement(step, evidence)
         or _as_many_instructions(step, evidence)
@@ -120,6 +124,17 @@ def _short_call(step: Step, evidence: Evidence) -> tuple[str, str] | None:
         "short calls",
         f"calls of {items}: by the time an item takes in longer calls, {share(once)} "
         "of it is what a call does once, and lanes left empty",
+    )
+
+
+def _not_vectorised(step: Step) -> tuple[str, str] | None:
+    times = step.get("times_scalar", math.nan)
+    if not (is_autovec(step["isa"]) and times <= VECTORS_GAIN):
+        return None
+    return (
+        "not vectorised",
+        f"{significant(times)} × as fast as the scalar row: the compiler made no "
+        "vectors of this loop, so wider ones bring nothing",
     )
 
 

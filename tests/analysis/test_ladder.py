@@ -17,7 +17,7 @@ from analysis.read.load_instructions import INSTRUCTIONS_COLUMNS
 from analysis.report.page import render
 from analysis.report.report import build
 from analysis.speed import ladder, tables
-from analysis.speed.ladder_reasons import UNEXPLAINED
+from analysis.speed.ladder_reasons import UNEXPLAINED, Evidence, explanation
 from tests.analysis.conftest import TWO_METHODS
 from tests.analysis.synthetic import write_run
 from tests.analysis.test_tables import name, speed_frame
@@ -222,6 +222,26 @@ def test_a_reason_follows_from_the_figures_of_the_run(
 ) -> None:
     because = slower(instructions, spread, **bound)["because"].iloc[0]
     assert because.startswith(begins)
+
+
+@pytest.mark.parametrize(
+    "isa, times_scalar, reason",
+    [
+        ("autovec_v4", 0.9, "not vectorised"),
+        ("autovec_v4", 1.7, UNEXPLAINED),
+        ("autovec_v4", math.nan, UNEXPLAINED),
+        ("avx2", 0.9, UNEXPLAINED),
+    ],
+)
+def test_a_plain_loop_as_fast_as_the_scalar_row_is_not_vectorised(
+    isa: str, times_scalar: float, reason: str
+) -> None:
+    (step,) = STEPS[
+        (STEPS["isa"] == "avx2") & (STEPS["method"] == "edge_function")
+    ].to_dict("records")
+    evidence = Evidence(CELLS.assign(isa=isa), executed(), math.nan)
+    found = explanation(step | {"isa": isa, "times_scalar": times_scalar}, evidence)
+    assert found[0] == reason
 
 
 def test_the_page_counts_the_slower_kernels_and_names_them(tmp_path: Path) -> None:
