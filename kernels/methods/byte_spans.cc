@@ -106,7 +106,7 @@ struct ByteSpans {
 // Fills in the spans of a triangle of any height, a row and an edge at a time.
 HWY_INLINE void DivideRows(const SortedByRow& t, ByteSpans& spans) {
   const int vertices[] = {t.low, t.middle, t.high};
-  const int turned = t.area > 0 ? -1 : 1;
+  const int turned = t.area > 0 ? 1 : -1;
   for (int y = SortedByRow::Y(t.low); y <= SortedByRow::Y(t.high); ++y) {
     int first = 0;
     int last = kSide - 1;
