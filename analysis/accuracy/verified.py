@@ -28,10 +28,11 @@ COLUMNS: Final = [
 
 
 def verified(kernel_hash: str, folder: Path = FOLDER) -> pd.DataFrame:
-    """One row a file that is about points. `points` counts each once, however many kernels answered it,
-    and the interval is that of the points. `kernels`: whether they are those of a run
-    with this hash. Raises LoadError, of a build with changes too: nobody could tell
-    what was verified.
+    """One row a file that is about points. `points` counts each once, however many
+    kernels answered it, and the interval is that of the points, each wrong answer
+    taken for a point of its own. `kernels`: whether they are those of a run with this
+    hash. Raises LoadError, of a build with changes too: nobody could tell what was
+    verified.
     """
     rows = []
     for path in sorted(folder.glob("*.json")):
@@ -75,12 +76,14 @@ def add_verified(exhibits: Exhibits, table: pd.DataFrame) -> None:
 
 
 def verified_words(table: pd.DataFrame) -> dict[str, Any] | None:
-    """What a sentence says of it; None if nothing was verified."""
+    """What a sentence says of it; None if nothing was verified. Of several methods in
+    one scalar the fewest points and the largest bound.
+    """
     if not len(table):
         return None
     of_scalar = table.groupby("scalar")
-    highest = of_scalar["error_rate_high"].min()
-    points = of_scalar["points"].max()
+    highest = of_scalar["error_rate_high"].max()
+    points = of_scalar["points"].min()
     wrong = int(table["wrong"].sum())
     same = table["kernels"] == SAME
     return {

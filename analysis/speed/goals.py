@@ -31,6 +31,7 @@ FASTER_THAN_EDGE: Final = 1.3
 OF_A_BOUND: Final = 0.9
 BYTES_OVER_INTEGERS: Final = 4.0
 SPANS_OVER_POINTS: Final = 30.0
+OF_BYTES: Final = "byte_"  # what the names of methods on bytes begin with
 EXACT_OVER_INEXACT: Final = 0.95
 EXACT_ISAS: Final = ("avx2", "avx512")
 FLOATS: Final = ("f32", "f64")
@@ -201,13 +202,13 @@ def _published_scene(run: Run, measured: Measured) -> Iterator[Row | str]:
     base = f"{grid_tables.BASE_METHOD} on points in {grid_tables.BASE_SCALAR}"
     known = table[table["times_points"].notna()] if len(table) else table
     goals_set = (
-        ("The published scene as points, bytes as lanes", "points", "byte_"),
+        ("The published scene as points, bytes as lanes", "points", OF_BYTES),
         ("The published scene as a grid, row spans to bits", "grid", "row_spans"),
         ("The published scene, edges of one point as lanes", "points", "edge_lanes"),
     )
     wanted = (BYTES_OVER_INTEGERS, SPANS_OVER_POINTS, math.nan)
     for (goal, track, method), least in zip(goals_set, wanted):
-        isas = measured.two_widest if method == "byte_" else [measured.widest]
+        isas = measured.two_widest if method == OF_BYTES else [measured.widest]
         for isa in isas:
             own = known[:0]
             if len(known):

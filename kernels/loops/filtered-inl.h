@@ -183,6 +183,8 @@ HWY_INLINE void WriteFiltered(D d, std::size_t n, TFromD<D> decided_above,
     }
   }
   if (HWY_LIKELY(first == n)) return;
+  // What is left behind the last block: as many whole steps as there are, if
+  // they decide, and the rest by itself.
   const std::size_t step = FilteredStep(d);
   auto of_all = OfNoMargin(d);
   auto watch = Zero(d);

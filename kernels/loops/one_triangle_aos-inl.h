@@ -81,8 +81,8 @@ HWY_INLINE BlockBits OrderedBits(BlockBits word) {
 #endif
 }
 
-// Answers for the points of one block, which is read from first to last: out of
-// order it comes half as fast from memory.
+// Answers for the points of one block, which is read from first to last: f64
+// out of order came half as fast from memory (edge_function_fma, Zen 5).
 template <class D, class Form>
 HWY_INLINE void WriteBlock(D d, const TFromD<D>* block, std::uint8_t* bits,
                            const Form& form) {

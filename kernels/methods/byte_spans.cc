@@ -31,8 +31,8 @@ namespace PITBENCH_ISA {
 
 constexpr int kSide = 128;  // coordinates are less
 
-// The vertices by row, each as one number, x + y·2^8, so that a sort is three
-// minima.
+// The vertices by row, each as one number, x + y·2^8, so that minima and maxima
+// sort them without a branch.
 struct SortedByRow {
   int low, middle, high;
   int area;  // twice; above 0 where the middle lies right of the whole edge
