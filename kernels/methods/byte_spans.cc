@@ -97,6 +97,17 @@ class ByteSpanEdges {
   std::uint32_t first_, middle_, last_;
 };
 
+// Of each row the first column inside and how many there are.
+HWY_INLINE void FirstAndCount(SpanLanes d, Vec<SpanLanes> rows,
+                              const SpanTriangle& t, Vec<SpanLanes>& first,
+                              Vec<SpanLanes>& count) {
+  auto u = rows;
+  auto v = rows;
+  SpanEnds<true>(d, rows, t, u, v);
+  first = hn::Min(u, v);
+  count = Sub(hn::Max(u, v), first);
+}
+
 // The spans of the rows from 0 on.
 struct ByteSpans {
   HWY_ALIGN std::uint8_t first[kSide] = {};
@@ -172,16 +183,9 @@ static void ByVectorTables(const Batch<std::uint8_t>& batch,
     const SpanLanes d;
     const auto rows0 = hn::Iota(d, std::uint16_t{0});
     const auto rows1 = hn::Iota(d, std::uint16_t{32});
-    auto u0 = rows0;
-    auto v0 = rows0;
-    auto u1 = rows0;
-    auto v1 = rows0;
-    SpanEnds<true>(d, rows0, triangle, u0, v0);
-    SpanEnds<true>(d, rows1, triangle, u1, v1);
-    const auto first0 = hn::Min(u0, v0);
-    const auto first1 = hn::Min(u1, v1);
-    const auto count0 = Sub(hn::Max(u0, v0), first0);
-    const auto count1 = Sub(hn::Max(u1, v1), first1);
+    Vec<SpanLanes> first0, first1, count0, count1;
+    FirstAndCount(d, rows0, triangle, first0, count0);
+    FirstAndCount(d, rows1, triangle, first1, count1);
     const __m512i first = LowerHalves(first0.raw, first1.raw);
     const __m512i count = LowerHalves(count0.raw, count1.raw);
     const __m512i none = _mm512_setzero_si512();
@@ -236,11 +240,8 @@ static void ByTables(const Batch<std::uint8_t>& batch,
     const int lanes = static_cast<int>(hn::Lanes(d));
     for (int y = low & ~(lanes - 1); y <= high; y += lanes) {
       const auto rows = hn::Iota(d, static_cast<std::uint16_t>(y));
-      auto u = rows;
-      auto v = rows;
-      SpanEnds<true>(d, rows, triangle, u, v);
-      const auto first = hn::Min(u, v);
-      const auto count = Sub(hn::Max(u, v), first);
+      Vec<SpanLanes> first, count;
+      FirstAndCount(d, rows, triangle, first, count);
       hn::StoreU(hn::DemoteTo(bytes, hn::BitCast(s, first)), bytes,
                  spans.first + y);
       hn::StoreU(hn::DemoteTo(bytes, hn::BitCast(s, count)), bytes,
