@@ -57,26 +57,12 @@ class EdgeLines {
   HWY_INLINE EdgeLines(const Corners<T>& t, bool clockwise, bool valid) {
     unsigned leftward = 0;
     unsigned vertical = 0;
-    const auto set = [&](unsigned k, Number<double> vx, Number<double> vy,
-                         Number<double> wx, Number<double> wy) {
-      const Number<double> run = wx - vx;
-      const Number<double> s = (wy - vy) / run;
-      // From the left vertex, the same whichever way the edge runs: neighbours
-      // compute the same line.
-      const Number<double> ends[2][2] = {{vx, vy}, {wx, wy}};
-      const unsigned turned = run < 0;
-      const auto& left = ends[turned];
-      lines_[k] = {static_cast<Number<T>>(s), left[1] - s * left[0]};
-      steepest_ = k == 0 ? MagnitudeOf(s) : HWY_MAX(steepest_, MagnitudeOf(s));
-      leftward |= turned << k;
-      if (HWY_UNLIKELY(run == 0)) vertical |= 1U << k;
-    };
     const Number<double> ax = t.ax, ay = t.ay;
     const Number<double> bx = t.bx, by = t.by;
     const Number<double> cx = t.cx, cy = t.cy;
-    set(0, ax, ay, bx, by);
-    set(1, bx, by, cx, cy);
-    set(2, cx, cy, ax, ay);
+    SetEdge(0, ax, ay, bx, by, leftward, vertical);
+    SetEdge(1, bx, by, cx, cy, leftward, vertical);
+    SetEdge(2, cx, cy, ax, ay, leftward, vertical);
     above_ = leftward ^ (7U * clockwise);
     if (HWY_UNLIKELY(vertical != 0 || !valid)) {
       const Number<double> x[3] = {ax, bx, cx};
@@ -109,6 +95,24 @@ class EdgeLines {
   }
 
  private:
+  // Edge k from v to w; sets bit k of `leftward` and of `vertical` if it is.
+  // Must be inlined: a function of its own would be one that objects share.
+  HWY_INLINE void SetEdge(unsigned k, Number<double> vx, Number<double> vy,
+                          Number<double> wx, Number<double> wy,
+                          unsigned& leftward, unsigned& vertical) {
+    const Number<double> run = wx - vx;
+    const Number<double> s = (wy - vy) / run;
+    // From the left vertex, the same whichever way the edge runs: neighbours
+    // compute the same line.
+    const Number<double> ends[2][2] = {{vx, vy}, {wx, wy}};
+    const unsigned turned = run < 0;
+    const auto& left = ends[turned];
+    lines_[k] = {static_cast<Number<T>>(s), left[1] - s * left[0]};
+    steepest_ = k == 0 ? MagnitudeOf(s) : HWY_MAX(steepest_, MagnitudeOf(s));
+    leftward |= turned << k;
+    if (HWY_UNLIKELY(run == 0)) vertical |= 1U << k;
+  }
+
   HWY_INLINE void SetVertical(unsigned vertical, bool clockwise,
                               const Number<double> (&x)[3],
                               const Number<double> (&y)[3]) {

@@ -4,18 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "harness/input/name_filter.h"
 #include "harness/input/nearest.h"
 
 namespace pitbench {
 namespace {
 
 template <class Scenes>
-void AddCellNames(const Scenes& scenes, const std::regex& wanted,
+void AddCellNames(const Scenes& scenes, const NameFilter& wanted,
                   std::vector<std::string>& names) {
   for (const auto& scene : scenes) {
     for (const auto loop : scene.loops) {
@@ -30,15 +30,15 @@ void AddCellNames(const Scenes& scenes, const std::regex& wanted,
 std::vector<std::string> SpeedNames(const Profile& profile,
                                     const std::string& filter = "") {
   std::vector<std::string> names;
-  AddCellNames(profile.speed, std::regex(filter), names);
-  AddCellNames(profile.ray_speed, std::regex(filter), names);
+  AddCellNames(profile.speed, NameFilter(filter), names);
+  AddCellNames(profile.ray_speed, NameFilter(filter), names);
   return names;
 }
 std::vector<std::string> AccuracyNames(const Profile& profile,
                                        const std::string& filter = "") {
   std::vector<std::string> names;
-  AddCellNames(profile.accuracy, std::regex(filter), names);
-  AddCellNames(profile.ray_accuracy, std::regex(filter), names);
+  AddCellNames(profile.accuracy, NameFilter(filter), names);
+  AddCellNames(profile.ray_accuracy, NameFilter(filter), names);
   return names;
 }
 
@@ -62,16 +62,16 @@ TEST_P(ProfileTest, EveryCellBelongsToExactlyOneShard) {
   for (const auto& [kind, names] :
        {std::pair{"speed", SpeedNames(profile_, one)},
         {"accuracy", AccuracyNames(profile_, one)}}) {
-    std::vector<std::pair<std::string, std::regex>> filters;
+    std::vector<std::pair<std::string, NameFilter>> filters;
     for (const Shard& shard : Shards(profile_)) {
       if (shard.kind != kind) continue;
-      filters.emplace_back(shard.name, std::regex(shard.filter));
+      filters.emplace_back(shard.name, NameFilter(shard.filter));
       cells_of.emplace(shard.name, 0);
     }
     for (const std::string& name : names) {
       std::size_t shards = 0;
       for (const auto& [shard, filter] : filters) {
-        if (!std::regex_search(name, filter)) continue;
+        if (!filter.Finds(name)) continue;
         ++shards;
         ++cells_of[shard];
       }
@@ -88,7 +88,7 @@ TEST_P(ProfileTest, MapsAreOneShard) {
   const std::vector<Shard> shards = Shards(profile_);
   EXPECT_EQ(shards.back().name, "maps");
   EXPECT_EQ(shards.back().kind, "maps");
-  EXPECT_TRUE(std::regex_search("any name", std::regex(shards.back().filter)));
+  EXPECT_TRUE(NameFilter(shards.back().filter).Finds("any name"));
 }
 
 TEST_P(ProfileTest, LimitsAreMeasuredBeforeAllSpeedAndAfterIt) {
@@ -96,7 +96,7 @@ TEST_P(ProfileTest, LimitsAreMeasuredBeforeAllSpeedAndAfterIt) {
   for (const Shard& shard : Shards(profile_)) {
     if (shard.kind == "limits") {
       order.push_back(shard.name);
-      EXPECT_TRUE(std::regex_search("load/L1/avx2", std::regex(shard.filter)));
+      EXPECT_TRUE(NameFilter(shard.filter).Finds("load/L1/avx2"));
     } else if (shard.kind == "speed" &&
                (order.empty() || order.back() != "speed")) {
       order.emplace_back("speed");
@@ -152,7 +152,7 @@ TEST(CellsTest, QuickTimesAndJudgesEveryKernel) {
     std::set<const Kernel*> met;
     for (const ProfileScene& scene : scenes) {
       for (const Loop loop : scene.loops) {
-        for (const Kernel* kernel : KernelsFor(scene, loop, std::regex(""))) {
+        for (const Kernel* kernel : KernelsFor(scene, loop, NameFilter(""))) {
           met.insert(kernel);
         }
       }
@@ -171,7 +171,7 @@ TEST(CellsTest, QuickTimesAndJudgesEveryKernelOfRays) {
     for (const RayProfileScene& scene : *scenes) {
       for (const RayLoop loop : scene.loops) {
         for (const RayKernel* kernel :
-             KernelsFor(scene, loop, std::regex(""))) {
+             KernelsFor(scene, loop, NameFilter(""))) {
           met.insert(kernel);
         }
       }

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "harness/input/name_filter.h"
+
 namespace pitbench {
 namespace {
 
@@ -70,7 +72,7 @@ TEST(EmulatedLoopsTest, InstructionsAreReadWhereTheProgramHasThem) {
 }
 
 TEST(EmulatedLoopsTest, WithoutTheProgramThereAreNoRowsButAReason) {
-  const EmulatedLoops loops = EmulateLoops("/nonexistent", std::regex("."));
+  const EmulatedLoops loops = EmulateLoops("/nonexistent", NameFilter("."));
   EXPECT_TRUE(loops.rows.empty());
   EXPECT_NE(loops.reason.find("aarch64-linux-gnu-g++"), std::string::npos);
 }

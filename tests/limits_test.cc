@@ -9,12 +9,13 @@
 #include <cstddef>
 #include <cstring>
 #include <map>
-#include <regex>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "harness/input/name_filter.h"
 #include "harness/limits/probes.h"
 #include "harness/scenes/scene.h"
 
@@ -94,7 +95,7 @@ class MeasuredTest : public testing::Test {
         {"DRAM", 0, (PITBENCH_SLOW ? 8 : 8192) * kStep},
     };
     limits_ = new json(
-        MeasureLimits(levels, std::regex("."), kSeconds, kRepetitions));
+        MeasureLimits(levels, NameFilter("."), kSeconds, kRepetitions));
   }
   static void TearDownTestSuite() { delete limits_; }
 
@@ -228,7 +229,7 @@ TEST(MeasureLimitsTest, WhatIsLongIsTimedInPartsAsLongCallsAre) {
       {"L1", 32 * kKibi, 12 * kKibi},
       {"DRAM", 0, 16 * kMebi / kStep * kStep + kStep}};
   const json found =
-      MeasureLimits(levels, std::regex("^load/.*/scalar$"), 1e-5, 2);
+      MeasureLimits(levels, NameFilter("^load/.*/scalar$"), 1e-5, 2);
   std::size_t more = 0;
   for (const json& row : found.at("memory")) {
     const double limit = row.at("bytes_per_second");
@@ -246,7 +247,7 @@ TEST(MeasureLimitsTest, WhatIsLongIsTimedInPartsAsLongCallsAre) {
 TEST(MeasureLimitsTest, TheFilterChooses) {
   const std::vector<MemoryLevel> levels = {{"L1", 32 * kKibi, 12 * kKibi}};
   const json found =
-      MeasureLimits(levels, std::regex("^add/f32/scalar$"), 1e-5, 1);
+      MeasureLimits(levels, NameFilter("^add/f32/scalar$"), 1e-5, 1);
   ASSERT_EQ(found.at("operations").size(), 1u);
   EXPECT_EQ(found.at("operations")[0].at("operation"), "add");
   EXPECT_TRUE(found.at("memory").empty());

@@ -7,11 +7,11 @@
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "harness/input/name_filter.h"
 #include "harness/measure/clock.h"
 #include "harness/measure/threads.h"
 #include "kernels/kernels.h"
@@ -24,7 +24,7 @@ using nlohmann::json;
 
 // The scalar kernels that only answer, on one scene.
 SpeedRun TimeScalar(const Scene<float>& scene) {
-  return MeasureSpeedOn({scene}, {}, std::regex("one_triangle/.*/scalar$"),
+  return MeasureSpeedOn({scene}, {}, NameFilter("one_triangle/.*/scalar$"),
                         {1e-5});
 }
 
@@ -89,7 +89,7 @@ TEST(SpeedTest, WrongKernelHasAReasonAndNoNumbers) {
 TEST(SpeedTest, OneKernelOfALoopIsRegisteredTwice) {
   const SpeedRun run =
       MeasureSpeedOn({HandMadeScene()}, {},
-                     std::regex("one_triangle/.*/edge_function/"), {1e-5});
+                     NameFilter("one_triangle/.*/edge_function/"), {1e-5});
   std::size_t twins = 0;
   for (const auto& [name, rows] : RowsByName(run.file)) {
     if (name.ends_with("/twin")) {
@@ -106,7 +106,7 @@ TEST(SpeedTest, WhereWiderOnesAreLeftOutANarrowerKernelIsRegisteredTwice) {
   if (!RunsHere(Isa::kSse4)) GTEST_SKIP();
   const SpeedRun run = MeasureSpeedOn(
       {HandMadeScene()}, {},
-      std::regex("one_triangle/.*/edge_function/f32/(scalar|ssse3|sse4)$"),
+      NameFilter("one_triangle/.*/edge_function/f32/(scalar|ssse3|sse4)$"),
       {1e-5});
   const auto rows = RowsByName(run.file);
   EXPECT_EQ(rows.size(), 3u + 2u);
@@ -152,7 +152,7 @@ TEST(SpeedTest, PlacementsAreTimedOnceAShard) {
   again.name = "again";
   const SpeedRun run =
       MeasureSpeedOn({HandMadeScene(), again}, {},
-                     std::regex("one_triangle/.*/cross_product/"), {1e-5});
+                     NameFilter("one_triangle/.*/cross_product/"), {1e-5});
   std::set<std::string> placed;
   for (const auto& [name, rows] : RowsByName(run.file)) {
     if (name.find("/placed_") == std::string::npos) continue;
@@ -183,7 +183,7 @@ TEST(SpeedTest, ThreadsShareTheItemsOfACall) {
                     {Isa::kScalar},
                     /*threads=*/true}};
   const SpeedRun run =
-      MeasureSpeed(profile, std::regex("/threads$"), kDefaultSeed);
+      MeasureSpeed(profile, NameFilter("/threads$"), kDefaultSeed);
   const auto rows = RowsByName(run.file);
   ASSERT_EQ(rows.size(), ThreadCounts().size());
   for (const int threads : ThreadCounts()) {
@@ -274,7 +274,7 @@ TEST(ThreadsTest, PartsFollowEachOtherAndAreTheWhole) {
 
 TEST(SpeedTest, NoCellIsNoError) {
   const SpeedRun run =
-      MeasureSpeedOn({HandMadeScene()}, {}, std::regex("nothing"), {1e-5});
+      MeasureSpeedOn({HandMadeScene()}, {}, NameFilter("nothing"), {1e-5});
   EXPECT_EQ(run.cells, 0u);
 }
 

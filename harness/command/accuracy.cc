@@ -1,12 +1,13 @@
 #include "harness/measure/accuracy.h"
 
 #include <iostream>
-#include <regex>
+#include <nlohmann/json.hpp>
 
 #include "harness/command/arguments.h"
 #include "harness/command/commands.h"
 #include "harness/command/output.h"
 #include "harness/command/own_scenes.h"
+#include "harness/input/name_filter.h"
 #include "harness/measure/rays/ray_accuracy.h"
 
 namespace pitbench {
@@ -16,7 +17,7 @@ using nlohmann::json;
 
 void Accuracy(const Arguments& a) {
   const Profile profile = Asked(a);
-  const std::regex filter = Filter(a.filter);
+  const NameFilter filter(a.filter);
   OutputFile out(a.out);
   json cells = json::array();
   json ray_cells = json::array();

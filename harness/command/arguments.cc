@@ -1,5 +1,7 @@
 #include "harness/command/arguments.h"
 
+#include <nlohmann/json.hpp>
+
 #include "harness/input/csv.h"
 #include "harness/measure/machine.h"
 
@@ -28,15 +30,6 @@ void AddSceneArguments(CLI::App& command, const std::shared_ptr<Arguments>& a) {
                      "its points: CSV with the header px,py");
   command.add_option("--seed", a->seed, "of the generated scenes")
       ->capture_default_str();
-}
-
-std::regex Filter(const std::string& text) {
-  try {
-    return std::regex(text);
-  } catch (const std::regex_error& error) {
-    throw InputError("--filter '" + text +
-                     "' is not a regular expression: " + error.what());
-  }
 }
 
 Profile Asked(const Arguments& a) {

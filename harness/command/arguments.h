@@ -6,8 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -32,7 +31,6 @@ std::shared_ptr<Arguments> AddArguments(CLI::App& command);
 void AddSceneArguments(CLI::App& command, const std::shared_ptr<Arguments>& a);
 
 // These throw InputError for what the caller got wrong.
-std::regex Filter(const std::string& text);
 // The profile that was asked for, with the scenes that were asked for.
 Profile Asked(const Arguments& a);
 [[noreturn]] void NoCells(const Arguments& a);

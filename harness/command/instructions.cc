@@ -1,12 +1,14 @@
 #include "harness/measure/instructions.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "harness/command/arguments.h"
 #include "harness/command/commands.h"
 #include "harness/command/output.h"
 #include "harness/input/csv.h"
+#include "harness/input/name_filter.h"
 #include "harness/measure/emulated_loops.h"
 
 namespace pitbench {
@@ -22,7 +24,7 @@ void AddInstructions(CLI::App& app) {
   const std::shared_ptr<Arguments> arguments = AddArguments(*instructions);
   instructions->callback([a = arguments] {
     FindProfile(a->profile);  // throws if there is none
-    const std::regex filter = Filter(a->filter);
+    const NameFilter filter(a->filter);
     OutputFile out(a->out);
     nlohmann::json file = InstructionsOf(filter);
     const auto reason = file["reason"].get<std::string>();

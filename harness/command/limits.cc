@@ -1,11 +1,13 @@
 #include "harness/limits/limits.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "harness/command/arguments.h"
 #include "harness/command/commands.h"
 #include "harness/command/output.h"
 #include "harness/input/csv.h"
+#include "harness/input/name_filter.h"
 #include "harness/measure/clock.h"
 #include "harness/measure/machine.h"
 #include "harness/measure/speed.h"
@@ -16,7 +18,7 @@ namespace {
 
 void Limits(const Arguments& a) {
   const double seconds = FindProfile(a.profile).speed_budget.seconds;
-  const std::regex filter = Filter(a.filter);
+  const NameFilter filter(a.filter);
   OutputFile out(a.out);
   const int cpu = PinToLastCpu();
   const nlohmann::json machine = DescribeMachine(a.seed);

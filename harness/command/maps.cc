@@ -1,10 +1,12 @@
 #include "harness/measure/maps.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "harness/command/arguments.h"
 #include "harness/command/commands.h"
 #include "harness/command/output.h"
+#include "harness/input/name_filter.h"
 #include "harness/measure/rays/ray_maps.h"
 #include "harness/measure/two_truths.h"
 
@@ -20,7 +22,7 @@ void AddMaps(CLI::App& app) {
   const std::shared_ptr<Arguments> arguments = AddArguments(*maps);
   maps->callback([a = arguments] {
     FindProfile(a->profile);  // throws if there is none
-    const std::regex filter = Filter(a->filter);
+    const NameFilter filter(a->filter);
     OutputFile out(a->out);
     nlohmann::json file = MakeMaps(filter);
     file.update(MakeRayMaps(filter));

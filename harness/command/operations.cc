@@ -1,11 +1,13 @@
 #include "harness/measure/operations.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "harness/command/arguments.h"
 #include "harness/command/commands.h"
 #include "harness/command/output.h"
 #include "harness/input/csv.h"
+#include "harness/input/name_filter.h"
 
 namespace pitbench {
 
@@ -18,7 +20,7 @@ void AddOperations(CLI::App& app) {
   const std::shared_ptr<Arguments> arguments = AddArguments(*operations);
   operations->callback([a = arguments] {
     FindProfile(a->profile);  // throws if there is none
-    const std::regex filter = Filter(a->filter);
+    const NameFilter filter(a->filter);
     OutputFile out(a->out);
     nlohmann::json file = OperationsOf(filter);
     if (file["rows"].empty()) {

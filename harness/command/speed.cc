@@ -4,12 +4,13 @@
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
-#include <regex>
+#include <nlohmann/json.hpp>
 
 #include "harness/command/arguments.h"
 #include "harness/command/commands.h"
 #include "harness/command/output.h"
 #include "harness/command/own_scenes.h"
+#include "harness/input/name_filter.h"
 #include "harness/measure/clock.h"
 #include "harness/measure/threads.h"
 
@@ -20,7 +21,7 @@ using nlohmann::json;
 
 void Speed(const Arguments& a) {
   const Profile profile = Asked(a);
-  const std::regex filter = Filter(a.filter);
+  const NameFilter filter(a.filter);
   OutputFile out(a.out);
   const int cpu = PinToLastCpu();
   const double steal_before = StealSeconds();

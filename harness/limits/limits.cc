@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "harness/limits/probes.h"
@@ -105,13 +106,12 @@ std::string ProbeName(std::string_view what, std::string_view where,
   return name;
 }
 
-std::vector<Job> OperationJobs(const std::regex& filter) {
+std::vector<Job> OperationJobs(const NameFilter& filter) {
   std::vector<Job> jobs;
   for (const OperationProbe& probe : OperationProbes()) {
     if (!RunsHere(probe.isa)) continue;
-    if (!std::regex_search(
-            ProbeName(Name(probe.operation), probe.scalar, Name(probe.isa)),
-            filter)) {
+    if (!filter.Finds(
+            ProbeName(Name(probe.operation), probe.scalar, Name(probe.isa)))) {
       continue;
     }
     jobs.push_back({.row = {{"isa", Name(probe.isa)},
@@ -146,7 +146,7 @@ std::function<void(std::vector<double>&)> WalkInParts(const MemoryProbe& probe,
 
 // Every level is loaded from; only the first is stored to, as the kernels
 // write a bit or a few bytes where they read many.
-std::vector<Job> MemoryJobs(const std::regex& filter,
+std::vector<Job> MemoryJobs(const NameFilter& filter,
                             const std::vector<MemoryLevel>& levels,
                             Array<std::byte>& memory) {
   std::vector<Job> jobs;
@@ -154,9 +154,8 @@ std::vector<Job> MemoryJobs(const std::regex& filter,
     if (!RunsHere(probe.isa)) continue;
     for (const MemoryLevel& level : levels) {
       if (probe.access == Access::kStore && &level != &levels.front()) continue;
-      if (!std::regex_search(
-              ProbeName(Name(probe.access), level.name, Name(probe.isa)),
-              filter)) {
+      if (!filter.Finds(
+              ProbeName(Name(probe.access), level.name, Name(probe.isa)))) {
         continue;
       }
       jobs.push_back({.row = {{"isa", Name(probe.isa)},
@@ -225,7 +224,7 @@ std::vector<std::size_t> DataCaches(const json& caches) {
 }
 
 json MeasureLimits(const std::vector<MemoryLevel>& levels,
-                   const std::regex& filter, double seconds, int repetitions) {
+                   const NameFilter& filter, double seconds, int repetitions) {
   std::size_t most = 0;
   json places = json::array();
   for (const MemoryLevel& level : levels) {

@@ -21,10 +21,11 @@
 #define PITBENCH_HARNESS_LIMITS_LIMITS_H_
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+#include "harness/input/name_filter.h"
 
 namespace pitbench {
 
@@ -53,7 +54,7 @@ std::vector<std::size_t> DataCaches(const nlohmann::json& caches);
 // the members `levels`, `memory` and `operations` of limits.json
 // (harness/schema/limits.schema.json).
 nlohmann::json MeasureLimits(const std::vector<MemoryLevel>& levels,
-                             const std::regex& filter, double seconds,
+                             const NameFilter& filter, double seconds,
                              int repetitions);
 
 }  // namespace pitbench

@@ -1,6 +1,7 @@
 #include "harness/measure/accuracy.h"
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "harness/measure/answers.h"
@@ -66,7 +67,7 @@ template json MeasureAccuracyOn(const Scene<std::int16_t>&,
 template json MeasureAccuracyOn(const Scene<std::uint8_t>&,
                                 const std::vector<const Kernel*>&);
 
-json MeasureAccuracy(const Profile& profile, const std::regex& filter,
+json MeasureAccuracy(const Profile& profile, const NameFilter& filter,
                      std::uint64_t seed) {
   json cells = json::array();
   for (const ProfileScene& listed : profile.accuracy) {

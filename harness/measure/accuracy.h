@@ -3,16 +3,16 @@
 #define PITBENCH_HARNESS_MEASURE_ACCURACY_H_
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <nlohmann/json_fwd.hpp>
 
+#include "harness/input/name_filter.h"
 #include "harness/measure/cells.h"
 
 namespace pitbench {
 
 // The cells of the profile's scenes for accuracy that `filter` finds, as the
 // array "cells" of harness/schema/accuracy.schema.json.
-nlohmann::json MeasureAccuracy(const Profile& profile, const std::regex& filter,
+nlohmann::json MeasureAccuracy(const Profile& profile, const NameFilter& filter,
                                std::uint64_t seed);
 
 // The same for one scene in memory and every kernel that fits it.

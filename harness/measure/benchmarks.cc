@@ -1,5 +1,6 @@
 #include "harness/measure/benchmarks.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "harness/measure/quiet.h"

@@ -46,7 +46,7 @@ bool WritesMore(const RayKernel& kernel) {
 template <class KernelType, class LoopOf>
 std::vector<const KernelType*> Meeting(std::span<const KernelType> kernels,
                                        const ListedScene<LoopOf>& scene,
-                                       LoopOf loop, const std::regex& filter) {
+                                       LoopOf loop, const NameFilter& filter) {
   std::vector<const KernelType*> found;
   for (const KernelType& kernel : kernels) {
     if (kernel.loop != loop || kernel.scalar != scene.scalar) continue;
@@ -54,7 +54,7 @@ std::vector<const KernelType*> Meeting(std::span<const KernelType> kernels,
     if (!Among(scene.methods, kernel.method.key)) continue;
     if (!Among(scene.isas, kernel.isa)) continue;
     if (!RunsHere(kernel.isa)) continue;
-    if (!std::regex_search(CellName(kernel, scene), filter)) continue;
+    if (!filter.Finds(CellName(kernel, scene))) continue;
     found.push_back(&kernel);
   }
   return found;
@@ -135,7 +135,7 @@ std::vector<Shard> Shards(const Profile& profile) {
 }
 
 std::vector<const Kernel*> KernelsFor(const ProfileScene& scene, Loop loop,
-                                      const std::regex& filter) {
+                                      const NameFilter& filter) {
   std::vector<const Kernel*> found =
       Meeting(MeasuredKernels(), scene, loop, filter);
   if (TooLargeForLibraries(scene.name)) {
@@ -148,7 +148,7 @@ std::vector<const Kernel*> KernelsFor(const ProfileScene& scene, Loop loop,
 
 std::vector<const RayKernel*> KernelsFor(const RayProfileScene& scene,
                                          RayLoop loop,
-                                         const std::regex& filter) {
+                                         const NameFilter& filter) {
   return Meeting(MeasuredRayKernels(), scene, loop, filter);
 }
 

@@ -2,11 +2,11 @@
 #ifndef PITBENCH_HARNESS_MEASURE_CELLS_H_
 #define PITBENCH_HARNESS_MEASURE_CELLS_H_
 
-#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "harness/input/name_filter.h"
 #include "harness/measure/slices.h"
 #include "harness/scenes/generate.h"
 #include "kernels/kernels.h"
@@ -83,10 +83,10 @@ std::string CellName(const KernelType& kernel,
 // The kernels that run here, meet `scene` in `loop`, and whose cell the filter
 // finds.
 std::vector<const Kernel*> KernelsFor(const ProfileScene& scene, Loop loop,
-                                      const std::regex& filter);
+                                      const NameFilter& filter);
 std::vector<const RayKernel*> KernelsFor(const RayProfileScene& scene,
                                          RayLoop loop,
-                                         const std::regex& filter);
+                                         const NameFilter& filter);
 
 }  // namespace pitbench
 

@@ -1,6 +1,7 @@
 #include "harness/measure/classes.h"
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 #include "harness/measure/class_counts.h"
 

@@ -16,7 +16,7 @@
 #define PITBENCH_HARNESS_MEASURE_CLASSES_H_
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "harness/measure/scene_details.h"
 

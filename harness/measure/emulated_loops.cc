@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -172,7 +173,7 @@ std::string Arm64InstructionBytes(std::string_view elf,
 }
 
 EmulatedLoops EmulateLoops(const std::string& program,
-                           const std::regex& filter) {
+                           const NameFilter& filter) {
   EmulatedLoops loops{.rows = nlohmann::json::array(), .reason = ""};
   std::ifstream file(program, std::ios::binary);
   if (!file) {
@@ -193,7 +194,7 @@ EmulatedLoops EmulateLoops(const std::string& program,
     for (const EmulatedKernel& kernel : log->kernels()) {
       std::string name = "one_triangle/" + kernel.method;
       name.append("/").append(kernel.scalar).append("/").append(kernel.isa);
-      if (std::regex_search(name, filter)) {
+      if (filter.Finds(name)) {
         loops.rows.push_back(RowOf(kernel, elf));
       }
     }

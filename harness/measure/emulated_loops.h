@@ -11,11 +11,11 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "harness/input/name_filter.h"
 #include "harness/measure/instruction_trace.h"
 
 namespace pitbench {
@@ -59,7 +59,7 @@ struct EmulatedLoops {
 // whose `loop/method/scalar/isa` the filter finds. Throws std::runtime_error if
 // the program is there and qemu-user too, but they do not do as they should.
 EmulatedLoops EmulateLoops(const std::string& program,
-                           const std::regex& filter);
+                           const NameFilter& filter);
 
 // Where arm64_calls is expected: beside the program that runs.
 std::string Arm64CallsBesideThis();

@@ -1,6 +1,7 @@
 #include "harness/measure/instructions.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "harness/measure/answers.h"
@@ -118,7 +119,7 @@ SteadyLoop TraceKernel(const RayKernel& kernel) {
                                        : TraceFloat<double>(kernel);
 }
 
-nlohmann::json InstructionsOf(const std::regex& filter) {
+nlohmann::json InstructionsOf(const NameFilter& filter) {
   nlohmann::json rows = nlohmann::json::array();
   const std::string reason = CannotTrace();
   const auto add = [&](const auto& kernels) {
@@ -131,7 +132,7 @@ nlohmann::json InstructionsOf(const std::regex& filter) {
       std::string name = loop;
       name.append("/").append(method).append("/").append(scalar);
       name.append("/").append(isa);
-      if (!std::regex_search(name, filter)) continue;
+      if (!filter.Finds(name)) continue;
       if (!RunsHere(kernel.isa)) continue;
       const SteadyLoop steady = TraceKernel(kernel);
       rows.push_back({{"method", method},

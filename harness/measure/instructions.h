@@ -3,9 +3,9 @@
 #ifndef PITBENCH_HARNESS_MEASURE_INSTRUCTIONS_H_
 #define PITBENCH_HARNESS_MEASURE_INSTRUCTIONS_H_
 
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <nlohmann/json_fwd.hpp>
 
+#include "harness/input/name_filter.h"
 #include "harness/measure/instruction_trace.h"
 #include "kernels/kernels.h"
 #include "kernels/rays/ray_kernels.h"
@@ -22,7 +22,7 @@ SteadyLoop TraceKernel(const RayKernel& kernel);
 // no weights (of rays: loop one_triangle_rays on the widest ISA), and whose
 // `loop/method/scalar/isa` the filter finds. Where nothing can be traced, no
 // rows and the reason.
-nlohmann::json InstructionsOf(const std::regex& filter);
+nlohmann::json InstructionsOf(const NameFilter& filter);
 
 }  // namespace pitbench
 

@@ -3,7 +3,7 @@
 #define PITBENCH_HARNESS_MEASURE_MACHINE_H_
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
 namespace pitbench {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -139,9 +140,9 @@ json Gradient(const Kernel& kernel, const Scene<float>& scene,
 
 }  // namespace
 
-json MakeMaps(const std::regex& filter) {
+json MakeMaps(const NameFilter& filter) {
   const auto wanted = [&filter](const Kernel& kernel, const std::string& name) {
-    return std::regex_search(CellName(kernel, name), filter);
+    return filter.Finds(CellName(kernel, name));
   };
   json ulp_maps = json::array();
   for (const Kernel* kernel :

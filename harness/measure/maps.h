@@ -2,8 +2,9 @@
 #ifndef PITBENCH_HARNESS_MEASURE_MAPS_H_
 #define PITBENCH_HARNESS_MEASURE_MAPS_H_
 
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <nlohmann/json_fwd.hpp>
+
+#include "harness/input/name_filter.h"
 
 namespace pitbench {
 
@@ -16,7 +17,7 @@ namespace pitbench {
 // two triangles that share the diagonal through them. A gradient is the three
 // weights of a triangle sampled on a grid that f32 represents, near the origin
 // and exactly the same far from it.
-nlohmann::json MakeMaps(const std::regex& filter);
+nlohmann::json MakeMaps(const NameFilter& filter);
 
 }  // namespace pitbench
 

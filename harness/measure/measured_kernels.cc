@@ -1,5 +1,6 @@
 #include "harness/measure/measured_kernels.h"
 
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #ifdef PITBENCH_PEERS

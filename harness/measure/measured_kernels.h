@@ -4,7 +4,7 @@
 #define PITBENCH_HARNESS_MEASURE_MEASURED_KERNELS_H_
 
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 
 #include "kernels/kernels.h"

@@ -1,6 +1,7 @@
 #include "harness/measure/operations.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -122,7 +123,7 @@ CountedKernel CountOperations(const RayKernel& kernel) {
                                        : Counted<double>(kernel);
 }
 
-nlohmann::json OperationsOf(const std::regex& filter) {
+nlohmann::json OperationsOf(const NameFilter& filter) {
   nlohmann::json rows = nlohmann::json::array();
   const auto add = [&](const auto& kernels) {
     for (const auto& kernel : kernels) {
@@ -131,7 +132,7 @@ nlohmann::json OperationsOf(const std::regex& filter) {
       const std::string scalar(Name(kernel.scalar));
       std::string name = loop;
       name.append("/").append(method).append("/").append(scalar);
-      if (!std::regex_search(name, filter)) continue;
+      if (!filter.Finds(name)) continue;
       const CountedKernel counted = CountOperations(kernel);
       rows.push_back({{"method", method},
                       {"scalar", scalar},

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstddef>
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <nlohmann/json_fwd.hpp>
 
+#include "harness/input/name_filter.h"
 #include "kernels/counting/counting.h"
 
 namespace pitbench {
@@ -30,7 +30,7 @@ CountedKernel CountOperations(const RayKernel& kernel);
 
 // operations.json without its context: of those kernels whose
 // `loop/method/scalar` the filter finds.
-nlohmann::json OperationsOf(const std::regex& filter);
+nlohmann::json OperationsOf(const NameFilter& filter);
 
 }  // namespace pitbench
 

@@ -1,6 +1,7 @@
 #include "harness/measure/scene_details.h"
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 #include "harness/measure/distance_estimate.h"
 #include "harness/truth/weights.h"

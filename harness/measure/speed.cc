@@ -232,7 +232,7 @@ bool Lists(const ProfileScene& listed, Loop loop) {
 
 }  // namespace
 
-SpeedRun MeasureSpeed(const Profile& profile, const std::regex& filter,
+SpeedRun MeasureSpeed(const Profile& profile, const NameFilter& filter,
                       std::uint64_t seed) {
   Benchmarks benchmarks;
   Cells cells(benchmarks);
@@ -266,7 +266,7 @@ SpeedRun MeasureSpeed(const Profile& profile, const std::regex& filter,
 
 SpeedRun MeasureSpeedOn(const std::vector<Scene<float>>& f32,
                         const std::vector<Scene<double>>& f64,
-                        const std::regex& filter, const SliceBudget& budget) {
+                        const NameFilter& filter, const SliceBudget& budget) {
   Benchmarks benchmarks;
   Cells cells(benchmarks);
   const auto add = [&]<class T>(const std::vector<Scene<T>>& scenes) {

@@ -21,8 +21,8 @@
 #define PITBENCH_HARNESS_MEASURE_SPEED_H_
 
 #include <cstdint>
-#include <regex>
 
+#include "harness/input/name_filter.h"
 #include "harness/measure/benchmarks.h"
 #include "harness/measure/cells.h"
 
@@ -30,13 +30,13 @@ namespace pitbench {
 
 // Times the cells of the profile's scenes for speed that `filter` finds, on
 // the CPU that this process is pinned to.
-SpeedRun MeasureSpeed(const Profile& profile, const std::regex& filter,
+SpeedRun MeasureSpeed(const Profile& profile, const NameFilter& filter,
                       std::uint64_t seed);
 
 // The same for scenes in memory.
 SpeedRun MeasureSpeedOn(const std::vector<Scene<float>>& f32,
                         const std::vector<Scene<double>>& f64,
-                        const std::regex& filter, const SliceBudget& budget);
+                        const NameFilter& filter, const SliceBudget& budget);
 
 // The same for kernels that need not be of AllKernels(), all of the scene's
 // loop and scalar.

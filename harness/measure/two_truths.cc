@@ -2,6 +2,8 @@
 
 #include <gmpxx.h>
 
+#include <nlohmann/json.hpp>
+
 #include "harness/scenes/corpus.h"
 
 namespace pitbench {

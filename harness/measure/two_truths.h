@@ -3,7 +3,7 @@
 #ifndef PITBENCH_HARNESS_MEASURE_TWO_TRUTHS_H_
 #define PITBENCH_HARNESS_MEASURE_TWO_TRUTHS_H_
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace pitbench {
 

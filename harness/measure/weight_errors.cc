@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "harness/measure/error_size.h"
 #include "harness/truth/scaled_integers.h"

@@ -1,6 +1,7 @@
 #include "harness/measure/rays/ray_accuracy.h"
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "harness/measure/class_counts.h"
@@ -74,7 +75,7 @@ template json MeasureRayAccuracyOn(const RayScene<float>&,
 template json MeasureRayAccuracyOn(const RayScene<double>&,
                                    const std::vector<const RayKernel*>&);
 
-json MeasureRayAccuracy(const Profile& profile, const std::regex& filter,
+json MeasureRayAccuracy(const Profile& profile, const NameFilter& filter,
                         std::uint64_t seed) {
   json cells = json::array();
   const auto add = [&]<class T>(const RayProfileScene& listed, RayLoop loop,

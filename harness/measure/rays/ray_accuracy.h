@@ -3,10 +3,10 @@
 #define PITBENCH_HARNESS_MEASURE_RAYS_RAY_ACCURACY_H_
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "harness/input/name_filter.h"
 #include "harness/measure/cells.h"
 #include "harness/scenes/rays/ray_scene.h"
 
@@ -15,7 +15,7 @@ namespace pitbench {
 // The cells of the profile's scenes of rays that `filter` finds, as
 // harness/schema/accuracy.schema.json has them.
 nlohmann::json MeasureRayAccuracy(const Profile& profile,
-                                  const std::regex& filter, std::uint64_t seed);
+                                  const NameFilter& filter, std::uint64_t seed);
 
 // The same for a scene in memory.
 template <class T>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "harness/measure/error_size.h"
 #include "harness/truth/vector3.h"

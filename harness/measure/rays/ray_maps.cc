@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <utility>
@@ -206,13 +207,13 @@ void AddCases(const std::vector<const RayKernel*>& kernels, json& cases) {
 }
 
 template <class T>
-std::vector<const RayKernel*> Wanted(const std::regex& filter, RayLoop loop,
+std::vector<const RayKernel*> Wanted(const NameFilter& filter, RayLoop loop,
                                      const char* scene) {
   std::vector<const RayKernel*> wanted =
       WidestKernels(AllRayKernels(), loop, RayOutput::kHits);
   std::erase_if(wanted, [&](const RayKernel* kernel) {
     return kernel->scalar != ScalarOf<T>() ||
-           !std::regex_search(CellName(*kernel, scene), filter);
+           !filter.Finds(CellName(*kernel, scene));
   });
   return wanted;
 }
@@ -226,7 +227,7 @@ RayScene<T> RayMapScene() {
 template RayScene<float> RayMapScene();
 template RayScene<double> RayMapScene();
 
-json MakeRayMaps(const std::regex& filter) {
+json MakeRayMaps(const NameFilter& filter) {
   json windows = json::array();
   json maps = json::array();
   json cases = json::array();

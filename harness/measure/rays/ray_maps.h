@@ -4,9 +4,9 @@
 #define PITBENCH_HARNESS_MEASURE_RAYS_RAY_MAPS_H_
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <nlohmann/json_fwd.hpp>
 
+#include "harness/input/name_filter.h"
 #include "harness/scenes/rays/ray_scene.h"
 
 namespace pitbench {
@@ -27,7 +27,7 @@ RayScene<T> RayMapScene();
 // "ray_windows", "ray_maps" and "ray_cases" of harness/schema/maps.schema.json:
 // of the maps and cases that `filter` finds, named like cells with ray_map and
 // rays_corpus for the scene: "one_triangle_rays/ray_map/watertight/f32/avx2".
-nlohmann::json MakeRayMaps(const std::regex& filter);
+nlohmann::json MakeRayMaps(const NameFilter& filter);
 
 }  // namespace pitbench
 

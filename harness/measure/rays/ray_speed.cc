@@ -93,7 +93,7 @@ void AddScene(Benchmarks& benchmarks, const RayProfileScene& listed,
 }  // namespace
 
 void AddRayCells(Benchmarks& benchmarks, const Profile& profile,
-                 const std::regex& filter, std::uint64_t seed) {
+                 const NameFilter& filter, std::uint64_t seed) {
   const auto kept = std::make_shared<KeptIndexes>();
   const auto add = [&]<class T>(const RayProfileScene& listed, RayLoop loop,
                                 T) {

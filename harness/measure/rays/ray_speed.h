@@ -3,8 +3,8 @@
 #define PITBENCH_HARNESS_MEASURE_RAYS_RAY_SPEED_H_
 
 #include <cstdint>
-#include <regex>
 
+#include "harness/input/name_filter.h"
 #include "harness/measure/benchmarks.h"
 #include "harness/measure/cells.h"
 
@@ -14,7 +14,7 @@ namespace pitbench {
 // kernel of every loop stands there a second time (`…/twin`) and once more with
 // two calls for one (`…/doubled`).
 void AddRayCells(Benchmarks& benchmarks, const Profile& profile,
-                 const std::regex& filter, std::uint64_t seed);
+                 const NameFilter& filter, std::uint64_t seed);
 
 }  // namespace pitbench
 
