@@ -348,7 +348,9 @@ def _refused_frame(
 
 def _accuracy_frame(path: Path, document: dict[str, Any]) -> pd.DataFrame:
     classes = document["classes"]
-    rows: list[dict[str, Any]] = []
+    cells: list[dict[str, Any]] = []
+    counts: list[dict[str, Any]] = []  # of an entry: its cells share them
+    entry_of: list[int] = []  # of each cell
     seen: set[str] = set()
     for index, entry in enumerate(document["accuracy"]):
         field = f"$.accuracy[{index}]"
@@ -375,10 +377,13 @@ def _accuracy_frame(path: Path, document: dict[str, Any]) -> pd.DataFrame:
         for isa in entry["isas"]:
             name = f"{entry['cell']}/{isa}"
             _refuse_twice(path, f"{field}.cell", name, seen)
-            row = _cell_row(path, f"{field}.cell", entry["shard"], name)
-            rows.append({**row, **shared})
-    frame = pd.DataFrame(rows, columns=ACCURACY_COLUMNS)
-    return frame.replace({None: np.nan})
+            cells.append(_cell_row(path, f"{field}.cell", entry["shard"], name))
+            entry_of.append(index)
+        counts.append(shared)
+    of_cells = pd.DataFrame(cells)
+    of_entries = pd.DataFrame(counts).replace({None: np.nan}).take(entry_of)
+    frame = pd.concat([of_cells, of_entries.reset_index(drop=True)], axis="columns")
+    return frame.reindex(columns=ACCURACY_COLUMNS)
 
 
 def _refuse_twice(path: Path, field: str, name: str, seen: set[str]) -> None:
