@@ -16,7 +16,7 @@ ALONE = ("report", "--runs", "no_runs")  # not beside those that the repository 
 def test_report_writes_beside_the_run_and_prints_the_page_last(
     small_run: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["report", str(small_run)]) == 0
+    assert main([*ALONE, str(small_run)]) == 0
     page = small_run / "report" / "index.html"
     assert capsys.readouterr().out.splitlines()[-1] == str(page)
     assert page.is_file()

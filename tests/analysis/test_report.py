@@ -229,14 +229,6 @@ def test_every_picture_has_words_with_numbers(page: Path) -> None:
     assert all(len(label) > 60 and re.search(r"\d", label) for label in labels)
 
 
-def test_the_same_run_gives_the_same_bytes(run_folder: Path, page: Path) -> None:
-    again = write_page(build(load_run(run_folder)), page.parent.parent / "again")
-    files = sorted(p.relative_to(page.parent) for p in page.parent.rglob("*.*"))
-    assert len(files) >= 40
-    for file in files:
-        assert (again.parent / file).read_bytes() == (page.parent / file).read_bytes()
-
-
 def test_another_process_gives_the_same_bytes(small_run: Path) -> None:
     pages = []
     for seed in ("1", "2"):
