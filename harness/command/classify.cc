@@ -66,7 +66,7 @@ std::string AnswersToRows(const Kernel& kernel, const std::string& path) {
   return words;
 }
 
-struct Arguments {
+struct ClassifyArguments {
   std::string method;
   std::string isa;
   std::string scalar = "f64";
@@ -74,7 +74,7 @@ struct Arguments {
   bool decimal = false;
 };
 
-std::string Words(const Arguments& a) {
+std::string Words(const ClassifyArguments& a) {
   const Scalar scalar = FloatScalar(a.scalar);
   const bool f32 = scalar == Scalar::kF32;
   if (a.method == "truth") {
@@ -98,7 +98,7 @@ std::string Words(const Arguments& a) {
 }  // namespace
 
 void AddClassify(CLI::App& app) {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ClassifyArguments>();
   CLI::App* classify = app.add_subcommand(
       "classify",
       "One word a line for each case of a CSV file with the header\n"

@@ -264,8 +264,8 @@ std::optional<std::string> Refusal(const Kernel& kernel, const Scene<T>& scene,
   if (answers.stray_bits != 0) return "sets bits past the last answer";
   // A method that accepts a third is wrong about a third of all points; that
   // many cannot be looked at exactly, so every so manieth is.
-  constexpr std::size_t kExamined = 20000;
-  const std::size_t step = answers.wrong.size() / kExamined + 1;
+  constexpr std::size_t kWrongExamined = 20000;
+  const std::size_t step = answers.wrong.size() / kWrongExamined + 1;
   for (std::size_t i = 0; i < answers.wrong.size(); i += step) {
     if (!Declared(kernel, scene, answers.wrong[i])) {
       return Describe(scene, answers.wrong[i]);

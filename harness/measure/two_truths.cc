@@ -10,7 +10,7 @@ namespace pitbench {
 namespace {
 
 template <class T>
-std::string_view Verdict(const CorpusCase& one) {
+std::string_view VerdictWord(const CorpusCase& one) {
   return Name(Classify(one.TriangleAs<T>(), one.PointAs<T>()));
 }
 
@@ -19,12 +19,13 @@ std::string_view Verdict(const CorpusCase& one) {
 nlohmann::json TwoTruths() {
   nlohmann::json verdicts = nlohmann::json::array();
   for (const TypedCase& one : TypedDecimals()) {
-    verdicts.push_back({{"id", one.id},
-                        {"source", one.source},
-                        {"scalar", one.scalar},
-                        {"binary", one.scalar == "f32" ? Verdict<float>(one)
-                                                       : Verdict<double>(one)},
-                        {"decimal", Verdict<mpq_class>(one)}});
+    verdicts.push_back(
+        {{"id", one.id},
+         {"source", one.source},
+         {"scalar", one.scalar},
+         {"binary", one.scalar == "f32" ? VerdictWord<float>(one)
+                                        : VerdictWord<double>(one)},
+         {"decimal", VerdictWord<mpq_class>(one)}});
   }
   return verdicts;
 }

@@ -24,7 +24,8 @@ mpz_class Power(unsigned long base, long exponent) {
 }
 
 // value · base^exponent.
-mpq_class Scaled(const mpq_class& value, unsigned long base, long exponent) {
+mpq_class TimesPower(const mpq_class& value, unsigned long base,
+                     long exponent) {
   const mpq_class power(Power(base, exponent));
   return exponent < 0 ? mpq_class(value / power) : mpq_class(value * power);
 }
@@ -65,8 +66,8 @@ std::optional<mpq_class> ParseExactly(std::string_view text) {
   if (!text.empty()) return std::nullopt;
 
   mpq_class value(mpz_class(mantissa, hexadecimal ? 16 : 10));
-  value = hexadecimal ? Scaled(value, 2, exponent - 4 * fraction_digits)
-                      : Scaled(value, 10, exponent - fraction_digits);
+  value = hexadecimal ? TimesPower(value, 2, exponent - 4 * fraction_digits)
+                      : TimesPower(value, 10, exponent - fraction_digits);
   return negative ? mpq_class(-value) : value;
 }
 

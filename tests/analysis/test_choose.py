@@ -15,39 +15,13 @@ from analysis.choice.choose import Choice, choose, decide, ranked
 from analysis.choice.choose_command import chooser
 from analysis.choice.choose_scene import Described, Scene, SceneError, checked
 from analysis.choice.choose_text import document, guarantee, lines, reasons
-from analysis.choice.choose_times import Timing, set_ups, stored_as, timings
-from analysis.choice.error_bounds import (
-    ALWAYS_EXACT,
-    EXPANSIONS,
-    SNAPPED,
-)
-from analysis.choice.error_families import FAMILIES
-from analysis.choice.extent import Extent
+from analysis.choice.choose_times import set_ups, stored_as, timings
+from analysis.choice.error_bounds import ALWAYS_EXACT
 from analysis.choice.typical_scenes import TYPICAL
 from analysis.read.load import load_run
-from analysis.read.run import MethodEntry
 from analysis.speed.tables import samples, speed_cells
-from tests.analysis.hard_scenes import Asked, HardScene, needs_program
+from tests.analysis.choosing import ENTRIES, METHODS, entry, timing
 from tests.analysis.synthetic import Options, write_run
-
-TOP_LEFT = {name for name in (*FAMILIES, *ALWAYS_EXACT) if "top_left" in name}
-METHODS = (*FAMILIES, *ALWAYS_EXACT, *EXPANSIONS, *SNAPPED)
-
-
-def entry(key: str, **other: object) -> MethodEntry:
-    boundary = "top_left" if key in TOP_LEFT else "closed"
-    values = {"boundary": boundary, "accepts": "triangle", "fma": False} | other
-    weights = key.startswith(("barycentric", "cross_solve", "uv_"))
-    return MethodEntry(key, "", "", weights=weights, **values)  # type: ignore[arg-type]
-
-
-ENTRIES = tuple(entry(key) for key in METHODS)
-
-
-def timing(method: str, ns: float, scalar: str = "f32") -> Timing:
-    """Five repetitions within a hundredth."""
-    values = tuple(ns * (1 + 0.002 * k) for k in range(-2, 3))
-    return Timing(method, scalar, "one_triangle", "avx2", "uniform", values)
 
 
 def scene(**other: object) -> Scene:
@@ -60,51 +34,6 @@ def scene(**other: object) -> Scene:
     if "aspect" in other:
         del values["altitude"]
     return checked(Described(**(values | other)))  # type: ignore[arg-type]
-
-
-def of(found: HardScene, tolerance: float, need: str) -> Scene:
-    e: Extent = found.extent
-    return Scene(
-        scalar=e.scalar,
-        low=e.low,
-        high=e.high,
-        altitude=e.altitude,
-        edges=(e.longest, e.longest),
-        points=4096,
-        hit=0.5,
-        need=need,
-        precision=e.quantum,
-        tolerance=tolerance,
-    )
-
-
-@needs_program
-def test_what_is_chosen_is_right_or_wrong_within_what_was_stated(asked: Asked) -> None:
-    """For each scene times are drawn, so that every method has its turn, and
-    a tolerance; then the kernel that is chosen answers all the scene's points.
-    """
-    random = np.random.default_rng(1)
-    taken: dict[str, int] = {}
-    for index, found in enumerate(asked.scenes):
-        need = ["class", "exact", "watertight"][
-            int(random.choice(3, p=[0.8, 0.1, 0.1]))
-        ]
-        reach = found.extent.longest * 2.0 ** random.uniform(-30, 2)
-        tolerance = reach if need == "class" else 0.0
-        timed = [timing(m, float(random.uniform(1, 9)), asked.scalar) for m in METHODS]
-        if asked.scalar == "f64":
-            timed = [t for t in timed if not t.method.startswith("promoted")]
-        choice = decide(of(found, tolerance, need), timed, ENTRIES)
-        chosen = choice.chosen
-        assert chosen is not None  # an exact method is always among them
-        mine = asked.which == index
-        wrong = asked.wrong(chosen.name)[mine]
-        beyond = asked.distance[mine][wrong]
-        assert beyond.max(initial=0) <= chosen.bound.distance <= tolerance, chosen
-        if need != "class":
-            assert not wrong.any() and chosen.bound.exact
-        taken[chosen.name] = taken.get(chosen.name, 0) + 1
-    assert len(taken) > len(METHODS) / 2  # the test saw most of them
 
 
 def test_the_cheapest_that_is_right_is_taken() -> None:

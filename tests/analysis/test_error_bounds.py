@@ -1,9 +1,5 @@
-"""The error bounds hold for the real kernels, and are not so wide that anything
-would hold.
-
-The kernels are those of build/: over hundreds of scenes, of both number types,
-each with thousands of points near edges, beyond sharp corners and far away, no
-answer is wrong farther from an edge than the method's bound.
+"""What the error bounds say of a scene, and of the program's methods. That real
+kernels keep them: test_bounds_of_kernels.py.
 """
 
 from __future__ import annotations
@@ -12,7 +8,6 @@ import dataclasses
 import json
 import math
 import subprocess
-from collections.abc import Iterator
 from fractions import Fraction
 
 import numpy as np
@@ -21,105 +16,14 @@ import pytest
 from analysis.choice import error_bounds
 from analysis.choice.error_bounds import (
     ALWAYS_EXACT,
-    EXPANSIONS,
     INTEGER_SPAN,
-    SNAPPED,
     bound,
-    bound_of_all,
     weights_bound,
 )
 from analysis.choice.error_families import FAMILIES
 from analysis.choice.extent import Extent
 from tests.analysis import hard_scenes
-from tests.analysis.hard_scenes import PROGRAM, Asked, Rows, needs_program
-
-FLOAT_METHODS = (*FAMILIES, *ALWAYS_EXACT, *EXPANSIONS, *SNAPPED)
-
-# Errors that were found beyond this share of the bound: a bound that much smaller
-# would be wrong. The methods that work from P err most on triangles that the
-# scenes seldom have.
-TIGHT = {
-    "cross_product": 0.05,
-    "cross_product_det": 0.05,
-    "cross_product_det_fma": 0.03,
-    "epsilon": 0.3,
-    "edge_function": 0.1,
-    "edge_function_fma": 0.08,
-    "edge_function_top_left": 0.08,
-    "edge_slope": 0.08,
-    "edge_slope_fma": 0.08,
-    "barycentric_determinant": 0.01,
-    "barycentric_determinant_closed": 0.01,
-    "barycentric_determinant_closed_fma": 0.01,
-    "barycentric_inverse": 0.1,
-    "barycentric_inverse_fma": 0.08,
-    "uv_projection": 0.01,
-    "cross_product_centered": 0.01,
-    "cross_product_kahan": 0.01,
-    "cross_solve": 0.004,
-    "snapped_i16": 0.2,
-}
-
-
-def _limits(asked: Asked, method: str) -> Rows:
-    """The bound at each case: the smaller one of the two that hold, that of the
-    scene's sizes and that of its slimness.
-    """
-    every = [
-        min(
-            bound(method, scene.extent).distance,
-            bound_of_all(method, scene.by_aspect).distance,
-        )
-        for scene in asked.scenes
-    ]
-    return np.array(every)[asked.which]
-
-
-def _of(scalar: str) -> Iterator[str]:
-    for method in FLOAT_METHODS:
-        if scalar == "f32" or not method.startswith("promoted"):
-            yield method
-
-
-@needs_program
-def test_no_kernel_is_wrong_farther_from_an_edge_than_its_bound(asked: Asked) -> None:
-    beyond = {}
-    for method in _of(asked.scalar):
-        bad = asked.wrong(method) & (asked.distance > _limits(asked, method))
-        if bad.any():
-            case = int(np.flatnonzero(bad)[0])
-            scene = asked.scenes[int(asked.which[case])]
-            beyond[method] = (int(bad.sum()), case, scene.extent)
-    assert beyond == {}
-
-
-@needs_program
-def test_bounds_are_not_so_wide_that_anything_would_hold(asked: Asked) -> None:
-    loose = {}
-    for method, least in TIGHT.items():
-        limits = _limits(asked, method)
-        judged = asked.wrong(method) & np.isfinite(limits) & (limits > 0)
-        reached = float((asked.distance[judged] / limits[judged]).max(initial=0))
-        if reached < least:
-            loose[method] = reached
-    assert loose == {}
-
-
-@needs_program
-def test_a_hundredth_of_a_bound_does_not_hold(asked: Asked) -> None:
-    """That the first test would notice."""
-    for method in ("cross_product", "edge_function", "edge_slope", "uv_projection"):
-        small = _limits(asked, method) / 100
-        assert (asked.wrong(method) & (asked.distance > small)).any(), method
-
-
-@needs_program
-def test_scenes_ask_what_is_hard(asked: Asked) -> None:
-    words, counts = np.unique(asked.truth, return_counts=True)
-    share = dict(zip(words, counts / len(asked.truth)))
-    assert share["inside"] > 0.1 and share["outside"] > 0.1
-    assert "degenerate" not in share
-    assert asked.wrong("cross_product").sum() > 1000
+from tests.analysis.hard_scenes import PROGRAM, Rows, needs_program
 
 
 @needs_program

@@ -9,19 +9,13 @@ const std::vector<RayLoop> kEveryLoop = {RayLoop::kOneTriangleRays,
                                          RayLoop::kOneRay, RayLoop::kRayPairs};
 const std::vector<RayLoop> kOneTriangle = {RayLoop::kOneTriangleRays};
 
-// Meshes are asked pair by pair.
-bool IsMesh(const std::string& name) {
-  return name.starts_with("rays_icosphere") ||
-         name.starts_with("rays_tiled_plane");
-}
-
 void Add(std::vector<RayProfileScene>& scenes, const std::string& name,
          const std::vector<RayLoop>& loops, bool tuv,
          const std::vector<std::string_view>& methods = {},
          const std::vector<Isa>& isas = {}) {
   for (const Scalar scalar : {Scalar::kF32, Scalar::kF64}) {
     scenes.push_back({name,
-                      IsMesh(name) ? std::vector{RayLoop::kRayPairs} : loops,
+                      IsRayMesh(name) ? std::vector{RayLoop::kRayPairs} : loops,
                       scalar, tuv, methods, isas});
   }
 }
@@ -41,6 +35,11 @@ void AddHits(std::vector<RayProfileScene>& scenes,
 }
 
 }  // namespace
+
+bool IsRayMesh(const std::string& name) {
+  return name.starts_with("rays_icosphere") ||
+         name.starts_with("rays_tiled_plane");
+}
 
 void AddRays(std::vector<RayProfileScene>& scenes,
              const std::vector<std::string>& names, bool tuv) {

@@ -9,6 +9,9 @@
 
 namespace pitbench {
 
+// Whether the scene of this name is a mesh: asked pair by pair only.
+bool IsRayMesh(const std::string& name);
+
 // These scenes, for f32 and f64 and every loop that they fit.
 void AddRays(std::vector<RayProfileScene>& scenes,
              const std::vector<std::string>& names, bool tuv);

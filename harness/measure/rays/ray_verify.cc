@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "harness/measure/rays/ray_answers.h"
+#include "harness/measure/rays/ray_scenes.h"
 #include "harness/measure/verify_rounds.h"
 #include "harness/scenes/generate.h"
 #include "harness/scenes/rays/ray_scene.h"
@@ -74,11 +75,6 @@ void VerifyOn(const RayScene<T>& scene,
   }
 }
 
-bool IsMesh(const std::string& name) {
-  return name.starts_with("rays_icosphere") ||
-         name.starts_with("rays_tiled_plane");
-}
-
 }  // namespace
 
 std::vector<std::string> HardRayScenes() {
@@ -110,7 +106,7 @@ Verification VerifyRays(
       HardRayScenes(), kLoops, rays, seed, progress,
       [&](const std::string& name, RayLoop loop, SceneSize size,
           std::uint64_t round_seed, Verification& so_far) {
-        if (IsMesh(name) && loop != RayLoop::kRayPairs) return;
+        if (IsRayMesh(name) && loop != RayLoop::kRayPairs) return;
         VerifyOn(MakeRayScene<T>(ParseScene(name), loop, size, round_seed),
                  kernels, so_far);
       });
