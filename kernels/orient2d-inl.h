@@ -1,6 +1,11 @@
 // Shewchuk's adaptive orient2d (1997) for one lane: the sign of the area of a
 // triangle by exact arithmetic on floating-point expansions, no further than it
-// takes.
+// takes, behind a filter of choice.
+//
+// A Filter bounds the error of the rounded determinant left − right of rounded
+// differences: BoundOf(left, right), of numbers, and BoundOf(d, left, right),
+// of vectors. A determinant decides whose magnitude is above its bound, or, if
+// kMayEqual, equal to it.
 //
 // An expansion is a sum of numbers of which none overlaps the next larger one,
 // so that the largest that is not 0 has the sign of the sum. Exact as long as
@@ -22,10 +27,10 @@ HWY_BEFORE_NAMESPACE();
 namespace pitbench {
 namespace PITBENCH_ISA {
 
-// Shewchuk's error bounds: `a` of the determinant from rounded differences,
-// relative to |left| + |right|; `b` of the same with exact products; `c` with
-// the first order of what the differences lost; `estimate` of an expansion
-// added up.
+// Shewchuk's error bounds: `a` of the determinant from rounded differences (his
+// filter), relative to |left| + |right|; `b` of the same with exact products;
+// `c` with the first order of what the differences lost; `estimate` of an
+// expansion added up.
 template <class T>
 struct Bound {
   static constexpr T u = std::numeric_limits<T>::epsilon() / 2;
@@ -106,7 +111,7 @@ struct Expansion {
 
 // A number with the sign of (a − p) × (b − p); NaN where a step overflowed and
 // left nothing.
-template <class T>
+template <class Filter, class T>
 static HWY_NOINLINE T Orient2d(T ax, T ay, T bx, T by, T px, T py) {
   const Pair<T> u = TwoSum(ax, -px);
   const Pair<T> v = TwoSum(ay, -py);
@@ -114,9 +119,12 @@ static HWY_NOINLINE T Orient2d(T ax, T ay, T bx, T by, T px, T py) {
   const Pair<T> z = TwoSum(by, -py);
   const T left = u.high * z.high;
   const T right = v.high * w.high;
-  const T sum = std::abs(left) + std::abs(right);
   T det = left - right;
-  if (std::abs(det) >= Bound<T>::a * sum) return det;
+  const T bound_of_filter = Filter::BoundOf(left, right);
+  if (std::abs(det) > bound_of_filter ||
+      (Filter::kMayEqual && std::abs(det) == bound_of_filter)) {
+    return det;
+  }
 
   Expansion<T> exact;
   exact.AddProduct(u.high, z.high);
@@ -125,6 +133,7 @@ static HWY_NOINLINE T Orient2d(T ax, T ay, T bx, T by, T px, T py) {
     return exact.Largest();
   }
   det = exact.Estimate();
+  const T sum = std::abs(left) + std::abs(right);
   if (std::abs(det) >= Bound<T>::b * sum) return det;
 
   const T bound = Bound<T>::c * sum + Bound<T>::estimate * std::abs(det);

@@ -81,7 +81,8 @@ void ForClaims(std::string_view method, const Test& test) {
 TEST(NeighboursTest, MethodsThatLookFromThePointLeaveNoHole) {
   for (const char* method :
        {"cross_product_centered", "cross_product_kahan", "cross_solve",
-        "promoted_f64", "promoted_f64_kahan", "shewchuk_adaptive"}) {
+        "promoted_f64", "promoted_f64_kahan", "shewchuk_adaptive",
+        "ozaki_adaptive"}) {
     ForClaims(method, [](const Claims& claims) { EXPECT_EQ(claims.none, 0u); });
   }
 }

@@ -212,9 +212,9 @@ TEST(RecipesTest, EachIsWrongJustOutsideItsDomain) {
 TEST(RecipesTest, NoRecipeIsMissing) {
   const Rows rows = ReadRecipes();
   for (const char* method :
-       {"shewchuk_adaptive", "double_double", "cross_product_kahan",
-        "promoted_f64", "promoted_f64_fma", "promoted_f64_kahan", "epsilon",
-        "epsilon_fma"}) {
+       {"shewchuk_adaptive", "ozaki_adaptive", "double_double",
+        "cross_product_kahan", "promoted_f64", "promoted_f64_fma",
+        "promoted_f64_kahan", "epsilon", "epsilon_fma"}) {
     for (const Kernel& kernel : AllKernels()) {
       if (kernel.method.key != method || !IsFloat(kernel.scalar)) continue;
       EXPECT_GT(rows.count({method, std::string(Name(kernel.scalar))}), 0u)
@@ -223,25 +223,31 @@ TEST(RecipesTest, NoRecipeIsMissing) {
   }
 }
 
-TEST(ShewchukAdaptiveTest, IsRightAtAnySpreadWithinItsRange) {
-  ExpectRight<float>("shewchuk_adaptive",
-                     [](Random& r) { return Spread<float>(r, -50, 62); });
-  ExpectRight<float>("shewchuk_adaptive",
-                     [](Random& r) { return Spread<float>(r, -2, 1); });
-  ExpectRight<double>("shewchuk_adaptive",
-                      [](Random& r) { return Spread<double>(r, -484, 510); });
-  ExpectRight<double>("shewchuk_adaptive",
-                      [](Random& r) { return Spread<double>(r, -2, 1); });
+// By Shewchuk's filter or Ozaki's.
+constexpr std::array<const char*, 2> kAdaptive = {"shewchuk_adaptive",
+                                                  "ozaki_adaptive"};
+
+TEST(AdaptiveTest, IsRightAtAnySpreadWithinItsRange) {
+  for (const char* method : kAdaptive) {
+    ExpectRight<float>(method,
+                       [](Random& r) { return Spread<float>(r, -50, 62); });
+    ExpectRight<float>(method,
+                       [](Random& r) { return Spread<float>(r, -2, 1); });
+    ExpectRight<double>(method,
+                        [](Random& r) { return Spread<double>(r, -484, 510); });
+    ExpectRight<double>(method,
+                        [](Random& r) { return Spread<double>(r, -2, 1); });
+  }
 }
 
-TEST(ShewchukAdaptiveTest, IsRightOnNearlyCollinearWholeNumbers) {
-  ExpectRight<float>("shewchuk_adaptive",
-                     [](Random& r) { return OnGrid<float>(r, 23); });
-  ExpectRight<double>("shewchuk_adaptive",
-                      [](Random& r) { return OnGrid<double>(r, 53); });
-  ExpectRight<double>("shewchuk_adaptive", [](Random& r) {
-    return OnScaledGrid<double>(r, 52, -484);
-  });
+TEST(AdaptiveTest, IsRightOnNearlyCollinearWholeNumbers) {
+  for (const char* method : kAdaptive) {
+    ExpectRight<float>(method, [](Random& r) { return OnGrid<float>(r, 23); });
+    ExpectRight<double>(method,
+                        [](Random& r) { return OnGrid<double>(r, 53); });
+    ExpectRight<double>(
+        method, [](Random& r) { return OnScaledGrid<double>(r, 52, -484); });
+  }
 }
 
 // What the products lose is below the smallest subnormal number.
@@ -284,13 +290,13 @@ struct Wrongs {
 };
 
 // What each kernel of the method gets wrong of the scene, which is the same.
+template <class T>
 Wrongs WrongsOn(const std::string& scene_name, std::string_view method) {
-  const Scene<float> scene =
-      MakeScene<float>(ParseScene(scene_name), Loop::kPairs,
-                       {.groups = 40, .size = 67}, kDefaultSeed);
+  const Scene<T> scene = MakeScene<T>(ParseScene(scene_name), Loop::kPairs,
+                                      {.groups = 40, .size = 67}, kDefaultSeed);
   const SceneTruth truth = JudgeScene(scene);
   std::vector<Wrongs> found;
-  for (const Kernel* kernel : PairsOf<float>(method)) {
+  for (const Kernel* kernel : PairsOf<T>(method)) {
     Wrongs& wrongs = found.emplace_back();
     for (const Wrong& wrong : Ask(*kernel, scene, truth).wrong) {
       ++(wrong.said_inside ? wrongs.inside : wrongs.outside);
@@ -307,16 +313,59 @@ TEST(PromotedTest, FormsDifferWhereProductsCancelAndDifferencesRound) {
   const std::vector<std::string_view> methods = {
       "promoted_f64", "promoted_f64_fma", "promoted_f64_kahan"};
   for (const std::string_view method : methods) {
-    EXPECT_EQ(WrongsOn("cancellation:binades=28", method), Wrongs{}) << method;
+    EXPECT_EQ(WrongsOn<float>("cancellation:binades=28", method), Wrongs{})
+        << method;
   }
   std::vector<Wrongs> beyond;
   for (const std::string_view method : methods) {
-    beyond.push_back(WrongsOn("cancellation:binades=30", method));
+    beyond.push_back(WrongsOn<float>("cancellation:binades=30", method));
     EXPECT_GT(beyond.back().inside, 0u) << method;
   }
   EXPECT_NE(beyond[0], beyond[1]);
   EXPECT_NE(beyond[0], beyond[2]);
   EXPECT_NE(beyond[1], beyond[2]);
+}
+
+// Bits of whole coordinates with which a method is right, and with which it is
+// not always.
+struct Bits {
+  std::string_view method;
+  int right, wrong;
+};
+
+template <class T>
+void ExpectBits(const std::vector<Bits>& all) {
+  for (const Bits& bits : all) {
+    SCOPED_TRACE(bits.method);
+    if (PairsOf<T>(bits.method).empty()) continue;  // no ISA with FMA
+    const auto on = [&](int n) {
+      return WrongsOn<T>("whole_numbers:bits=" + std::to_string(n),
+                         bits.method);
+    };
+    EXPECT_EQ(on(bits.right), Wrongs{});
+    EXPECT_NE(on(bits.wrong), Wrongs{});
+  }
+}
+
+TEST(WholeNumbersTest, TellHowManyBitsEachMethodIsRightWith) {
+  ExpectBits<float>({{"cross_product_centered", 11, 14},
+                     {"cross_product_centered_fma", 11, 14},
+                     {"cross_product_kahan", 23, 24},
+                     {"double_double", 23, 24}});
+  ExpectBits<double>({{"cross_product_centered", 25, 29},
+                      {"cross_product_centered_fma", 25, 29},
+                      {"cross_product_kahan", 52, 53},
+                      {"double_double", 52, 53}});
+}
+
+TEST(WholeNumbersTest, OfAllBitsAreRightByExpansionsAndInF64) {
+  for (const char* method : kAdaptive) {
+    EXPECT_EQ(WrongsOn<float>("whole_numbers:bits=24", method), Wrongs{});
+    EXPECT_EQ(WrongsOn<double>("whole_numbers:bits=53", method), Wrongs{});
+  }
+  for (const char* method : {"promoted_f64", "promoted_f64_kahan"}) {
+    EXPECT_EQ(WrongsOn<float>("whole_numbers:bits=24", method), Wrongs{});
+  }
 }
 
 TEST(EpsilonTest, IsRightOnWholeNumbers) {

@@ -222,6 +222,44 @@ TYPED_TEST(ScenesHardTest, CancellationIsOnBothSidesOfALongEdge) {
   }
 }
 
+// Twice the area of a triangle of whole numbers, over the greatest common
+// divisor of an edge's components, is the distance to that edge in steps.
+TYPED_TEST(ScenesHardTest, WholeNumbersAreOnAnEdgeOrOneStepBesideIt) {
+  constexpr int kDigits = std::numeric_limits<TypeParam>::digits;
+  for (const int bits : {3, kDigits / 2, kDigits}) {
+    const std::string name = "whole_numbers:bits=" + std::to_string(bits);
+    for (const Loop loop : kLoops) {
+      TypeParam largest = 0;
+      std::array<std::size_t, 2> at_steps{};  // 0, 1
+      ForEachAnswer(Make<TypeParam>(name, loop), [&](const auto& t,
+                                                     const auto& p) {
+        for (const TypeParam x : Coordinates(t, p)) {
+          ASSERT_EQ(std::trunc(x), x);
+          largest = std::max(largest, std::abs(x));
+        }
+        const std::array vertices = {t.a, t.b, t.c};
+        mpz_class fewest = -1;
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+          const auto& v = vertices[k];
+          const auto& w = vertices[(k + 1) % 3];
+          const mpz_class ex = mpz_class(w.x) - mpz_class(v.x);
+          const mpz_class ey = mpz_class(w.y) - mpz_class(v.y);
+          const mpz_class double_area = ex * (mpz_class(p.y) - mpz_class(v.y)) -
+                                        ey * (mpz_class(p.x) - mpz_class(v.x));
+          const mpz_class steps = abs(double_area) / gcd(ex, ey);
+          if (fewest < 0 || steps < fewest) fewest = steps;
+        }
+        ASSERT_LE(fewest, 1);
+        ++at_steps[fewest.get_ui()];
+      });
+      EXPECT_LE(largest, std::ldexp(TypeParam{1}, bits));
+      EXPECT_GT(largest, std::ldexp(TypeParam{1}, bits - 1));
+      EXPECT_GT(at_steps[0], 0u) << name;
+      EXPECT_GT(at_steps[1], at_steps[0]) << name;
+    }
+  }
+}
+
 TYPED_TEST(ScenesHardTest, DegenerateTrianglesHaveNoAreaAtAll) {
   for (const std::string kind : {"collinear", "doubled", "single"}) {
     for (const Loop loop : kLoops) {

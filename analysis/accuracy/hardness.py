@@ -110,6 +110,15 @@ HARDNESSES: Final = (
         "linear",
         "{} binades",
     ),
+    Hardness(
+        "whole_numbers",
+        "bits",
+        "bits of the whole numbers that are the coordinates",
+        "bits of whole numbers",
+        "grows",
+        "linear",
+        "{} bits",
+    ),
 )
 
 

@@ -27,6 +27,7 @@ HARD_FAMILIES = (
     ("scale", "tiny or huge"),
     ("exponent_spread", "exponents spread"),
     ("cancellation", "products cancel"),
+    ("whole_numbers", "whole numbers"),
 )
 # What has its wrong answers in a column: key, title, the families. Scenes of
 # special values are those of finite ones: NaN and infinity have their own class.

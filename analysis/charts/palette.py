@@ -41,6 +41,7 @@ METHODS: Final = {
     "promoted_f64_fma": MethodStyle("#332288", variant=True),
     "promoted_f64_kahan": MethodStyle("#7A68D0"),
     "shewchuk_adaptive": MethodStyle("#CC6677"),
+    "ozaki_adaptive": MethodStyle("#CC6677", variant=True),
     "double_double": MethodStyle("#661100"),
     "edge_function": MethodStyle("#D55E00"),
     "edge_function_fma": MethodStyle("#D55E00", variant=True),

@@ -97,7 +97,8 @@ def _none(why: str) -> Bound:
 
 
 ALWAYS_EXACT: Final = ("exact", "exact_open", "exact_top_left")
-EXPANSIONS: Final = ("shewchuk_adaptive", "double_double")
+ADAPTIVE: Final = ("shewchuk_adaptive", "ozaki_adaptive")
+EXPANSIONS: Final = (*ADAPTIVE, "double_double")
 SNAPPED: Final = ("snapped_i16", "snapped_u8")
 # On whole numbers of any size: beyond their fast range they fall back on exact
 # arithmetic (kernels/methods/incremental.cc, row_spans.cc).
@@ -151,7 +152,7 @@ def _expansion_bound(method: str, extent: Extent) -> Bound:
     low, high = EXPANSION_RANGE[extent.scalar]
     if extent.least_magnitude < low or extent.largest > high:
         return _none("coordinates other than 0 may be too small or too large for it")
-    if method == "shewchuk_adaptive":
+    if method in ADAPTIVE:
         return _exact("in its range, which these coordinates keep")
     if extent.steps(extent.width) <= 2.0 ** (DIGITS[extent.scalar] - 1):
         return _exact("since every difference is exact")

@@ -31,7 +31,7 @@ FAMILIES: Final = (
     Family("Projections and solutions", ("uv_projection", "cross_solve")),
     Family(
         "Exact, and recipes called exact",
-        ("promoted_", "double_double", "shewchuk_", "exact"),
+        ("promoted_", "double_double", "shewchuk_", "ozaki_", "exact"),
     ),
     Family(
         "Tolerances, snapping, loosened arithmetic",

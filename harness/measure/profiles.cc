@@ -62,6 +62,9 @@ void AddSwept(Scenes& scenes, int step, const std::vector<Loop>& swept) {
     // In f32 about the 29 binades from which differences round in f64.
     add("cancellation:binades=",
         f32 ? Range(20, 36, 2 * step) : Range(0, 60, 10 * step), true);
+    // From where every determinant is exact to all the bits of the scalar.
+    add("whole_numbers:bits=",
+        f32 ? Range(8, 24, step) : Range(20, 53, 3 * step), true);
     const std::vector<int> mesh_ulps =
         step == 1 ? std::vector{0, 1, 2, 4, 16, 256, 4096}
                   : std::vector{0, 1, 16};

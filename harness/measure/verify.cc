@@ -98,6 +98,7 @@ std::vector<std::string> HardScenes(Scalar scalar) {
              "scale:exponent=", {-145, -126, -76, -63, -38, 38, 64, 126});
     AddSwept(names, "exponent_spread:binades=", {4, 16, 28, 29, 40, 60});
     AddSwept(names, "cancellation:binades=", {0, 20, 28, 29, 60});
+    AddSwept(names, "whole_numbers:bits=", {5, 12, 22, 24});
     for (const char* at : {"edge", "vertex"}) {
       AddSwept(names, std::string("on_boundary:at=") + at + ":binades=", {240});
     }
@@ -108,6 +109,7 @@ std::vector<std::string> HardScenes(Scalar scalar) {
              {-1070, -1022, -538, -270, 256, 511, 512, 1022});
     AddSwept(names, "exponent_spread:binades=", {4, 28, 53, 60, 90, 120});
     AddSwept(names, "cancellation:binades=", {0, 2, 20, 53, 120});
+    AddSwept(names, "whole_numbers:bits=", {5, 26, 51, 53});
     for (const char* at : {"edge", "vertex"}) {
       AddSwept(names,
                std::string("on_boundary:at=") + at + ":binades=", {2000});

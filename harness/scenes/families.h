@@ -45,6 +45,9 @@ template <class T>
 Scene<T> CancellationScene(const SceneSpec& spec, Loop loop, SceneSize size,
                            std::uint64_t seed);
 template <class T>
+Scene<T> WholeNumbersScene(const SceneSpec& spec, Loop loop, SceneSize size,
+                           std::uint64_t seed);
+template <class T>
 Scene<T> DegenerateScene(const SceneSpec& spec, Loop loop, SceneSize size,
                          std::uint64_t seed);
 template <class T>

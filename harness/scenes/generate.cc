@@ -27,6 +27,7 @@ constexpr Generator<T> kGenerators[] = {
     {"scale", ScaleScene<T>},
     {"exponent_spread", ExponentSpreadScene<T>},
     {"cancellation", CancellationScene<T>},
+    {"whole_numbers", WholeNumbersScene<T>},
     {"degenerate", DegenerateScene<T>},
     {"special", SpecialScene<T>},
     {"mesh_pair", MeshPairScene<T>},

@@ -65,6 +65,9 @@ const std::vector<FamilyInfo>& Families() {
        "Triangles with an edge from v to -v; points v times 2^-binades, "
        "exactly "
        "on it or up to two representable numbers off."},
+      {"whole_numbers", "bits:sets",
+       "Triangles and points with whole coordinates from -2^bits to 2^bits; "
+       "points on an edge or as near to it as whole numbers can be."},
       {"degenerate", "kind:sets",
        "Triangles without area, exactly: kind=collinear, doubled (two vertices "
        "are one) or single (all are one). Points on their line and near it."},

@@ -20,6 +20,7 @@ SCENES: dict[str, list[tuple[str, float]]] = {
         (f"exponent_spread:binades={b}", b / 80) for b in (0, 10, 28, 60)
     ],
     "cancellation": [(f"cancellation:binades={b}", b / 80) for b in (20, 28, 36)],
+    "whole_numbers": [(f"whole_numbers:bits={b}", b / 80) for b in (12, 22, 24)],
     "degenerate": [
         (f"degenerate:kind={kind}", 0.5) for kind in ("collinear", "doubled", "single")
     ],
