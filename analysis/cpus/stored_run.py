@@ -1,7 +1,7 @@
 """Runs that are kept to compare CPUs: report/runs/NAME/, a run made small.
 
-Kept: machine.json, sweep.json, times.json and methods.json; limits and operations,
-as they were; every repetition of every timed cell, to five digits; the counts of every
+Kept: machine.json, sweep.json, times.json, build.json and methods.json; limits and
+operations, as they were; every repetition of every timed cell, to five digits; the counts of every
 judged cell, once for all ISAs that gave the same; the contexts of the speed
 shards; how many instructions the compiled kernels execute; and what llvm-mca made
 of the loops. Left out, since no comparison uses it: iterations and mean times; the
@@ -50,6 +50,7 @@ COPIED: Final = {
     "machine.json": "machine.json",
     "sweep.json": "sweep.json",
     "times.json": "times.json",
+    "build.json": "build.json",
     "methods.json": "methods.json",
     "limits.json": "limits.json.gz",
     "limits_after.json": "limits_after.json.gz",
@@ -204,6 +205,7 @@ def load_stored(folder: Path) -> Run:
         writes=writes,
         isa_up_to=load.isa_limit(folder),
         times=load.sweep_times(folder),
+        built=load.build_of(folder),
         label=document["label"],
     )
 

@@ -26,6 +26,7 @@ from analysis.read.read_json import LoadError, read_json
 from analysis.read.run import (
     REFUSED_COLUMNS,
     SPEED_COLUMNS,
+    Build,
     Cache,
     Machine,
     MethodEntry,
@@ -116,6 +117,7 @@ def load_run(folder: Path) -> Run:
         rays=of_rays,
         isa_up_to=isa_limit(folder),
         times=sweep_times(folder),
+        built=build_of(folder),
     )
 
 
@@ -136,6 +138,17 @@ def sweep_times(folder: Path) -> SweepTimes | None:
         seconds=float(document["seconds"]),
         starts=int(document["starts"]),
         shards=tuple(sorted(shards, key=lambda shard: (-shard[1], shard[0]))),
+    )
+
+
+def build_of(folder: Path) -> Build | None:
+    """How long the program's build took, if that was noted."""
+    path = folder / "build.json"
+    if not path.exists():
+        return None
+    document = read_json(path, "build")
+    return Build(
+        **{field.name: int(document[field.name]) for field in dataclasses.fields(Build)}
     )
 
 

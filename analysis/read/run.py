@@ -157,6 +157,15 @@ class SweepTimes:
 
 
 @dataclasses.dataclass(frozen=True)
+class Build:
+    """How long the first build of the program's folder took (build.json)."""
+
+    seconds: int
+    compiled: int  # files
+    from_cache: int  # files that the compiler's cache had
+
+
+@dataclasses.dataclass(frozen=True)
 class MethodEntry:
     """What a method declares of itself (methods.json)."""
 
@@ -253,6 +262,7 @@ class Run:
     rays: RayRun = dataclasses.field(default_factory=no_rays)
     isa_up_to: str = ""  # the widest ISA of the rows, where the sweep had a limit
     times: SweepTimes | None = None  # older runs have none
+    built: Build | None = None  # only ./reproduce notes it
     label: str = ""  # what a stored run was called, if it was given a name
 
     @property

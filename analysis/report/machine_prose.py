@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from analysis.read.run import Machine, SweepTimes
+from analysis.read.run import Build, Machine, SweepTimes
 from analysis.report.wording import counted, duration, listed, size_in_bytes
 
 _TIMED = ("speed", "limits")  # what the names of shards that run alone begin with
@@ -40,6 +40,17 @@ def machine_rows(machine: Machine) -> list[tuple[str, str]]:
         ("Revision", machine.revision + (", with changes" if machine.dirty else "")),
         ("Seed", str(machine.seed)),
     ]
+
+
+def build_facts(built: Build | None) -> dict[str, Any] | None:
+    """How long the program's build took, in phrases; None where nobody told."""
+    if built is None or not built.compiled + built.from_cache:
+        return None
+    return {
+        "took": duration(built.seconds),
+        "files": counted(built.compiled + built.from_cache, "file"),
+        "cached": built.from_cache,
+    }
 
 
 def times_facts(times: SweepTimes | None) -> dict[str, Any] | None:

@@ -24,7 +24,7 @@ from analysis.read.cells import parse_scene
 from analysis.report import columns
 from analysis.report.exhibits import Column
 from analysis.report.findings import findings
-from analysis.report.machine_prose import machine_rows, times_facts
+from analysis.report.machine_prose import build_facts, machine_rows, times_facts
 from analysis.report.report import MAIN_LOOP, Report, short_revision
 from analysis.report.verdicts import NOTICED, WHOLE
 from analysis.report.wording import (
@@ -66,6 +66,7 @@ def facts(report: Report) -> dict[str, Any]:
         "machine": machine,
         "machine_rows": machine_rows(machine),
         "times": times_facts(run.times),
+        "built": build_facts(run.built),
         "cells": counted(len(report.timed), "cell"),
         "judged": counted(len(run.accuracy), "cell"),
         "points_judged": counted(int(run.accuracy["points"].sum()), "answer"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
@@ -29,13 +30,21 @@ case ${0##*/} in
     fi
     echo "100% tests passed, 0 tests failed out of 7"
     ;;
-  cmake) [[ $* != *"$(cat "$STATE/cmake-fails" 2>/dev/null || echo NONE)"* ]] ;;
+  cmake)
+    if [[ $1 == --build ]]; then
+      mkdir -p build && touch build/build.ninja
+      printf '%s\\n' '# a.cc' direct_cache_hit '# b.cc' cache_miss \\
+        '# c.cc' preprocessed_cache_hit >>"${CCACHE_STATSLOG:-/dev/null}"
+    fi
+    [[ $* != *"$(cat "$STATE/cmake-fails" 2>/dev/null || echo NONE)"* ]]
+    ;;
 esac
 """
-SWEEP = """import sys
+SWEEP = """import os, sys
 if "--print-run-name" in sys.argv:
     print("quick-12345678")
 else:
+    os.makedirs(sys.argv[sys.argv.index("--out") + 1], exist_ok=True)
     print("sweeping", *sys.argv[1:])
 """
 SUM = '#!/bin/bash\necho "$@"\necho 3 passed, 0 failed\n'
@@ -96,6 +105,18 @@ def test_report_ends_with_the_path_of_the_page(fake: Fake) -> None:
     assert (code, errors) == (0, "")
     assert output[-1] == "results/quick-12345678/report/index.html"
     assert "reporting" in output
+
+
+def test_a_run_has_how_long_the_first_build_took(fake: Fake) -> None:
+    assert fake.run("report", "--run", "mine")[0] == 0
+    built = fake.folder / "results" / "mine" / "build.json"
+    document = json.loads(built.read_text())
+    assert document.pop("seconds") >= 0
+    first = {"schema": "pitbench-build-1", "compiled": 1, "from_cache": 2}
+    assert document == first
+    (fake.folder / "build" / "build.json").write_text("the first")
+    assert fake.run("report", "--run", "mine")[0] == 0
+    assert built.read_text() == "the first"
 
 
 def test_report_takes_profile_and_run(fake: Fake) -> None:
