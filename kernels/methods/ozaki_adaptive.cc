@@ -6,9 +6,10 @@
 //   determinant is not above θ·(|left + right| + u_N), by exact expansions
 //   θ = 3u − (φ − 22)u², φ = 2⌊(−1 + √(4/u + 45))/4⌋; u_N: least normal number
 //
-// The least such θ that can be proved. Where left and right have different
-// signs, left + right is less than the determinant: it decides. u_N keeps the
-// filter from deciding by products that underflow.
+// θ is a little less than Shewchuk's bound, and one absolute value suffices:
+// where left and right have different signs, their sum is less than their
+// difference, which decides. u_N keeps the filter from deciding by products
+// that underflow.
 // Set-up: the orientation of the triangle, adaptively, by which B and C are
 // exchanged. Per point: 9 subtractions, 9 multiplications, 6 additions, 3
 // absolute values, 6 compares; an undecided point costs some hundred to
