@@ -8,6 +8,8 @@ import re
 from pathlib import Path
 
 import pytest
+import weasyprint
+from weasyprint.formatting_structure.boxes import TableBox
 
 from analysis.cpus.stored_run import fingerprint, load_stored
 from analysis.read.load import load_run
@@ -96,6 +98,19 @@ def test_a_cut_table_says_how_many_rows_are_in_its_file(report: Report) -> None:
     assert f"<b>{len(table.rows) - len(worth_a_row(report))} rows more" in sheets(
         report
     )
+
+
+def test_no_table_reaches_beyond_its_sheet(report: Report) -> None:
+    tables = re.sub(r"<figure.*?</figure>", "", sheets(report), flags=re.S)
+    known = 0
+    for sheet in weasyprint.HTML(string=for_paper(tables)).render().pages:
+        for box in sheet._page_box.descendants():
+            if isinstance(box, TableBox):
+                known += 1
+                wide = box.element.get("class", "")
+                assert 20 <= box.position_x, wide  # pixels: 5 mm
+                assert box.position_x + box.margin_width() <= sheet.width - 20, wide
+    assert known >= 10
 
 
 def test_marks_are_drawn_where_they_are_used() -> None:
