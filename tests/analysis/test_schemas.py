@@ -22,6 +22,7 @@ NAMES = ["machine", "speed", "accuracy", "methods", "maps", "limits"] + [
     "instructions",
     "sweep",
     "times",
+    "build",
     "stored",
     "verify",
 ]
