@@ -1,9 +1,9 @@
 """Runs that are kept to compare CPUs: report/runs/NAME/, a run made small.
 
 Kept: machine.json, sweep.json, times.json, build.json and methods.json; limits and
-operations, as they were; every repetition of every timed cell, to five digits; the counts of every
-judged cell, once for all ISAs that gave the same; the contexts of the speed
-shards; how many instructions the compiled kernels execute; and what llvm-mca made
+operations, as they were; every repetition of every timed cell, to five digits; the
+counts of every judged cell, once for all ISAs that gave the same; the contexts of
+the speed shards; how many instructions the compiled kernels execute; and what llvm-mca made
 of the loops. Left out, since no comparison uses it: iterations and mean times; the
 worst inputs and the distances of wrong answers, which are the same on every
 machine that gives the same counts; the maps; and the instructions themselves.

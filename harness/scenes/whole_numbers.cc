@@ -41,7 +41,7 @@ struct Steps {
 
 // Of an edge that is not 0, by Euclid's extended algorithm.
 Steps StepsOf(const Whole& edge) {
-  // Each remainder is s·|edge.x| plus a multiple of |edge.y|.
+  // Always r = s·|edge.x| + t·|edge.y|, and so for the next three.
   std::int64_t r = std::abs(edge.x), next_r = std::abs(edge.y);
   std::int64_t s = 1, next_s = 0;
   std::int64_t t = 0, next_t = 1;

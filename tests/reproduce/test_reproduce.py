@@ -119,6 +119,12 @@ def test_a_run_has_how_long_the_first_build_took(fake: Fake) -> None:
     assert built.read_text() == "the first"
 
 
+def test_a_build_with_the_tests_is_not_taken_for_the_programs(fake: Fake) -> None:
+    assert fake.run("test", "lint")[0] == 0
+    assert fake.run("report", "--run", "mine")[0] == 0
+    assert not (fake.folder / "results" / "mine" / "build.json").exists()
+
+
 def test_report_takes_profile_and_run(fake: Fake) -> None:
     code, output, _ = fake.run("report", "--profile", "tiny", "--run", "mine")
     assert (code, output[-1]) == (0, "results/mine/report/index.html")
